@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dirichlet/array.h"
+
+namespace dirichlet {
+
+/// Who touches whom, as index arrays. A *corner* is a vertex in a face, and stands for the half-edge that leaves it
+/// towards the next corner of that face.
+struct Connectivity {
+  static constexpr Index kBorder = -1;      ///< opposite: the edge has no other face
+  static constexpr Index kNonManifold = -2; ///< opposite: the edge has three or more half-edges
+
+  std::vector<Index> edges;        ///< (E, 2) vertices, smaller first; edges sorted by (first, second)
+  std::vector<Index> corner_edges; ///< (C,) the edge from this corner to the next
+  std::vector<Index> edge_offsets; ///< (E + 1,) where an edge's half-edges start in edge_corners
+  std::vector<Index> edge_corners; ///< (C,) the half-edges of every edge, ascending within one edge
+  std::vector<Index> opposite;     ///< (C,) the edge's other half-edge, of either direction; or kBorder, kNonManifold
+};
+
+/// Connected pieces: (V,) piece of every vertex, pieces numbered by their lowest vertex. An isolated vertex is a piece.
+struct Components {
+  std::vector<Index> label; ///< (V,)
+  Index count = 0;
+};
+
+/// Loops of border edges. Loop k is vertices[offsets[k] … offsets[k+1]), in order, the surface on the left.
+struct BorderLoops {
+  std::vector<Index> offsets;  ///< (B + 1,)
+  std::vector<Index> vertices; ///< every loop starts at its lowest vertex
+};
+
+/// A polygon mesh: positions, faces and their connectivity. Immutable, and safe to read from several threads.
+///
+/// Any number of corners per face, any number of faces per edge, any orientation, vertices without a face: all legal.
+/// A corner repeated in direct succession (the quad a b c c) counts once; a face that repeats a vertex otherwise, or
+/// has fewer than three left, is refused.
+class Mesh {
+ public:
+  /// \param positions  (V, 3) finite, any unit, C order; used in place.
+  /// \param offsets    (F + 1,) where every face starts in `corners`: 0, …, C, ascending; copied.
+  /// \param corners    (C,) vertex of every corner, in [0, V); copied, since a later write could break the mesh.
+  /// \throws InputError     wrong lengths, no faces, a number that is not finite, an index out of range
+  /// \throws TopologyError  a face with fewer than three vertices or one twice
+  /// Cost: O(V + C), counting sorts only; two threads above 2^16 corners.
+  Mesh(SharedArray<double> positions, std::span<const Index> offsets, std::span<const Index> corners);
+
+  /// Faces of one size: (F, corners_per_face). Else as above.
+  Mesh(SharedArray<double> positions, std::span<const Index> corners, Index corners_per_face);
+
+  Mesh(const Mesh&) = delete;
+  Mesh& operator=(const Mesh&) = delete;
+
+  [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions_.size() / 3); }
+  [[nodiscard]] Index face_count() const { return static_cast<Index>(offsets_.size()) - 1; }
+  [[nodiscard]] Index edge_count() const { return static_cast<Index>(connectivity_.edges.size() / 2); }
+  [[nodiscard]] std::span<const double> positions() const { return positions_.view(); } ///< (V, 3)
+  [[nodiscard]] std::span<const Index> offsets() const { return offsets_; }             ///< (F + 1,)
+  [[nodiscard]] std::span<const Index> corners() const { return corners_; }             ///< (C,)
+  [[nodiscard]] const Connectivity& connectivity() const { return connectivity_; }
+
+  /// Whether every face has three corners: then corner c belongs to face c / 3.
+  [[nodiscard]] bool is_triangular() const { return triangular_; }
+
+  /// The same surface in triangles, over the same vertices: this mesh itself when it is triangular, else a mesh made at
+  /// the first call and kept (see triangulation.h). \throws TopologyError  a polygon that has no triangulation.
+  [[nodiscard]] const Mesh& triangulated() const;
+
+  [[nodiscard]] Components components() const;     ///< Cost: O(V + E)
+  [[nodiscard]] BorderLoops border_loops() const;  ///< Cost: O(V + E)
+  [[nodiscard]] double build_seconds() const { return build_seconds_; } ///< wall time of validation and connectivity
+
+ private:
+  void build(std::span<const Index> offsets, std::span<const Index> corners);
+
+  SharedArray<double> positions_;
+  std::vector<Index> offsets_;
+  std::vector<Index> corners_;
+  Connectivity connectivity_;
+  bool triangular_ = false;
+  double build_seconds_ = 0;
+  mutable std::once_flag triangulate_once_;
+  mutable std::unique_ptr<const Mesh> triangulated_;
+};
+
+} // namespace dirichlet

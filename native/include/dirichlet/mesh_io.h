@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "dirichlet/array.h"
+
+namespace dirichlet {
+
+/// The content of a mesh file, ready for Mesh.
+struct MeshArrays {
+  std::vector<double> positions; ///< (V, 3)
+  std::vector<Index> offsets;    ///< (F + 1,)
+  std::vector<Index> corners;    ///< (C,)
+};
+
+/// Reads OBJ, PLY (text or binary), OFF or STL (text or binary) through OpenMesh's readers, told apart by the file's
+/// ending. Non-manifold faces are kept: OpenMesh parses into our arrays, not into a half-edge mesh. STL's repeated
+/// corners are joined where their coordinates are equal.
+/// \throws InputError  unreadable, unknown ending, damaged or truncated: names the file and the line (or byte).
+/// Memory in proportion to the file, whatever its header promises. Cost: O(file).
+MeshArrays read_mesh_file(const std::filesystem::path& path);
+
+/// Writes OBJ, PLY, OFF or STL, by the ending; PLY is binary and carries `colors` when given.
+/// \param colors  (V, 3) in 0 … 255, or empty.
+/// Written beside the target, then renamed: an error leaves what was there. \throws InputError  unwritable, unknown
+/// ending, or colours for a format that has none.
+void write_mesh_file(const std::filesystem::path& path, std::span<const double> positions,
+                     std::span<const Index> offsets, std::span<const Index> corners,
+                     std::span<const unsigned char> colors = {});
+
+} // namespace dirichlet

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+
+#include "dirichlet/injection.h"
+
+namespace dirichlet {
+
+enum class Method {
+  direct,             ///< Cholesky (LDLᵀ) of the symmetric twin, fill reduced by approximate minimum degree
+  least_squares_cg,   ///< the paper's: conjugate gradients on LᵀL of the raw, unsymmetric matrix; the reference
+};
+
+struct SolverOptions {
+  Method method = Method::direct;
+  /// least_squares_cg alone: stop at ‖Aᵀr‖ ≤ tolerance ‖Aᵀb‖. In (0, 1).
+  double tolerance = 1e-14;
+  /// least_squares_cg alone: give up after so many steps. At least 1; nothing said: 20 n + 1000.
+  std::optional<Index> max_iterations;
+};
+
+struct SolverStatistics {
+  Index unknowns = 0;                ///< free vertices
+  std::int64_t nonzeros = 0;         ///< of the injected matrix, as the method stores it
+  std::int64_t factor_nonzeros = 0;  ///< of L; 0 for an iterative method
+  double inject_seconds = 0;         ///< building the injected matrix
+  double factor_seconds = 0;         ///< ordering and factorisation
+};
+
+/// One way to solve the injected system. Built once per stiffness matrix and mask; solves any number of right-hand
+/// sides, from several threads.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  /// \param prescribed  (n, k): painted values where painted, source times mass where free.
+  /// \param iterations  the largest number of steps any column took; 0 for a direct method.
+  /// \returns           (n, k); φ == prescribed bit for bit where painted.
+  /// \throws SolverError  not converged, or not finite.
+  [[nodiscard]] virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& prescribed, Index& iterations) const = 0;
+
+  [[nodiscard]] virtual const SolverStatistics& statistics() const = 0;
+};
+
+/// \param K     (n, n) symmetric, positive definite on the free vertices once the mask is injected. The solver keeps a
+///              reference to it: it has to live as long.
+/// \throws SolverError  a pivot that is not positive, memory denied; names the vertex.
+/// Cost: direct O(n^1.5) on surfaces, memory O(n log n); least squares O(n) per step.
+std::unique_ptr<Solver> make_solver(const SparseMatrix& K, const Mask& mask, const SolverOptions& options);
+
+} // namespace dirichlet
