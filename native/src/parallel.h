@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <future>
+#include <thread>
+#include <vector>
+
+namespace dirichlet {
+
+/// Calls f(begin, end) for consecutive pieces of [0, count), each on a core of its own; a piece has at least `grain`
+/// items, so that small work stays in the caller's thread. Returns when all are done, and rethrows the exception of the
+/// first piece that threw one.
+template <class F>
+void parallel_chunks(std::size_t count, std::size_t grain, const F& f) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t pieces = std::clamp<std::size_t>(count / std::max<std::size_t>(1, grain), 1, cores);
+  const auto start = [=](std::size_t piece) { return count / pieces * piece + std::min(piece, count % pieces); };
+  std::vector<std::future<void>> others; // leaving this scope waits for them, whichever way it is left
+  others.reserve(pieces - 1);
+  // "deferred": where the system has no thread to give, the piece runs at get().
+  constexpr auto policy = std::launch::async | std::launch::deferred;
+  for (std::size_t k = 1; k < pieces; ++k) others.push_back(std::async(policy, std::cref(f), start(k), start(k + 1)));
+  f(std::size_t{0}, start(1));
+  for (auto& other : others) other.get();
+}
+
+} // namespace dirichlet
