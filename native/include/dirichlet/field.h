@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,10 +66,18 @@ class HarmonicSolver {
   [[nodiscard]] Index vertex_count() const { return static_cast<Index>(stiffness_.rows()); }
   [[nodiscard]] Index painted_count() const { return static_cast<Index>(painted_.size()); } ///< C
 
+  HarmonicSolver(const HarmonicSolver&) = delete; // its solver refers to its matrix
+  HarmonicSolver& operator=(const HarmonicSolver&) = delete;
+
  private:
+  /// (V, k): the values where painted, source times mass where free.
+  [[nodiscard]] Eigen::MatrixXd prescribe(const Eigen::Ref<const Eigen::MatrixXd>& values,
+                                          std::span<const double> source) const;
+
   SparseMatrix stiffness_;
   std::vector<Index> painted_;
-  Mask mask_; ///< painted or undefined: rows without an equation of their own
+  std::vector<std::array<Index, 2>> repeats_; ///< places of painted_ that name a vertex again, and where it stood first
+  Mask fixed_; ///< painted, or undefined: rows without an equation of their own
   FreeRegions regions_;
   std::unique_ptr<const Solver> solver_;
   SolveReport base_; ///< what does not depend on the values

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "dirichlet/laplacian.h"
 
@@ -20,9 +21,12 @@ using Mask = std::vector<std::uint8_t>; ///< (n,) 0 or 1
 /// Source: "Dirichlet Surface Isolines", eq. (3). \throws InputError  mask of a wrong length.
 SparseMatrix inject(const SparseMatrix& L, const Mask& mask);
 
+/// A symmetric matrix by its lower triangle alone, in compressed columns.
+using SymmetricMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
+
 /// Its symmetric positive definite twin (I − M) K (I − M) + M for a symmetric K: same solution with the right-hand side
-/// below. Only the lower triangle is stored (rows = columns by symmetry, hence column-major). Cost: O(non-zeros).
-Eigen::SparseMatrix<double, Eigen::ColMajor, Index> inject_symmetric(const SparseMatrix& K, const Mask& mask);
+/// below. Cost: O(non-zeros).
+SymmetricMatrix inject_symmetric(const SparseMatrix& K, const Mask& mask);
 
 /// The right-hand side that goes with it, M b + (I − M)(s − K M b), for k fields at once.
 /// \param prescribed  (n, k): the value b where painted, the source s (already times mass) where free.
@@ -32,8 +36,10 @@ Eigen::MatrixXd inject_right_hand_side(const SparseMatrix& K, const Mask& mask, 
 /// own, ruled by the painted vertices at its rim; a piece without a rim has no equation and its field is undefined.
 struct FreeRegions {
   static constexpr Index kPainted = -1;
-  std::vector<Index> label;        ///< (n,) piece, numbered by lowest vertex; kPainted where painted
-  std::vector<std::uint8_t> ruled; ///< (count,) 1: touches paint
+  std::vector<Index> label; ///< (n,) piece, numbered by lowest vertex; kPainted where painted
+  Index count = 0;
+  /// Region and painted vertex of every pair that meets across an edge (a pair as often as it has edges).
+  std::vector<std::array<Index, 2>> rim;
 };
 
 /// Cost: O(n + non-zeros).

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include <cstdint>
 #include <memory>
 #include <optional>
+
+#include <Eigen/Core>
 
 #include "dirichlet/injection.h"
 
@@ -38,7 +40,7 @@ class Solver {
 
   /// \param prescribed  (n, k): painted values where painted, source times mass where free.
   /// \param iterations  the largest number of steps any column took; 0 for a direct method.
-  /// \returns           (n, k); φ == prescribed bit for bit where painted.
+  /// \returns           (n, k)
   /// \throws SolverError  not converged, or not finite.
   [[nodiscard]] virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& prescribed, Index& iterations) const = 0;
 
@@ -47,7 +49,8 @@ class Solver {
 
 /// \param K     (n, n) symmetric, positive definite on the free vertices once the mask is injected. The solver keeps a
 ///              reference to it: it has to live as long.
-/// \throws SolverError  a pivot that is not positive, memory denied; names the vertex.
+/// \throws InputError   an option out of its range
+/// \throws SolverError  the injected matrix is singular, or memory was denied
 /// Cost: direct O(n^1.5) on surfaces, memory O(n log n); least squares O(n) per step.
 std::unique_ptr<Solver> make_solver(const SparseMatrix& K, const Mask& mask, const SolverOptions& options);
 
