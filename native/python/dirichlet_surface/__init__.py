@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Harmonic fields and isolines on surfaces, with painted patches injected as strong Dirichlet conditions.
+
+    mesh = read_mesh("dragon.ply")
+    field = solve(mesh, vertices, values)
+    lines = isolines(mesh, field.values, even_levels(0, 1, 13))
+
+All errors are DirichletError: InputError, TopologyError or SolverError, one sentence that names what and where.
+"""
+
+from ._native import DirichletError, InputError, SolverError, TopologyError
+from .field import CsrMatrix, Field, HarmonicSolver, SolveReport, dirichlet_laplacian, solve
+from .lines import Isolines, even_levels, isolines, level_through_point, stepped_levels
+from .mesh import Mesh, PatchFacts, inspect_patches, read_mesh, write_mesh
+from .painting import Painting, Patch, combine_patches
+
+__all__ = [
+    "CsrMatrix",
+    "DirichletError",
+    "Field",
+    "HarmonicSolver",
+    "InputError",
+    "Isolines",
+    "Mesh",
+    "Painting",
+    "Patch",
+    "PatchFacts",
+    "SolveReport",
+    "SolverError",
+    "TopologyError",
+    "combine_patches",
+    "dirichlet_laplacian",
+    "even_levels",
+    "inspect_patches",
+    "isolines",
+    "level_through_point",
+    "read_mesh",
+    "solve",
+    "stepped_levels",
+    "write_mesh",
+]

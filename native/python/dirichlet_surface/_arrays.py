@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What callers pass, as the exact arrays the compiled module takes; without a copy where type and layout already fit."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._native import InputError
+
+Indices = NDArray[np.int32]
+Reals = NDArray[np.float64]
+
+
+def _as_array(values: ArrayLike, what: str) -> NDArray[Any]:
+    try:
+        return np.asarray(values)
+    except ValueError as error:
+        raise InputError(f"{what} do not form an array: {error}") from None
+
+
+def as_indices(values: ArrayLike, what: str) -> Indices:
+    """Whole numbers as C-ordered int32; one that 32 bits cannot hold is refused, never wrapped."""
+    array = _as_array(values, what)
+    if array.dtype == np.int32:
+        return np.ascontiguousarray(array)
+    if array.dtype.kind not in "iu" and array.size > 0:
+        raise InputError(f"{what} have to be whole numbers, not {array.dtype}")
+    limits = np.iinfo(np.int32)
+    if array.size > 0 and (array.min() < limits.min or array.max() > limits.max):
+        place = int(np.flatnonzero((array.ravel() < limits.min) | (array.ravel() > limits.max))[0])
+        raise InputError(f"{what} have {array.ravel()[place]} at place {place}, which is not an index")
+    return np.ascontiguousarray(array, dtype=np.int32)
+
+
+def as_reals(values: ArrayLike, what: str) -> Reals:
+    """Numbers as C-ordered float64."""
+    array = _as_array(values, what)
+    if array.dtype.kind not in "fiub":
+        raise InputError(f"{what} have to be real numbers, not {array.dtype}")
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def require_shape(array: NDArray[Any], shape: tuple[int | None, ...], what: str) -> None:
+    """Refuses another shape; None stands for any size."""
+    fits = array.ndim == len(shape) and all(want in (None, got) for want, got in zip(shape, array.shape, strict=True))
+    if not fits:
+        wanted = " × ".join("any" if size is None else str(size) for size in shape)
+        raise InputError(f"{what} have the shape {array.shape}, but have to be {wanted}")
