@@ -20,8 +20,9 @@ py::object bind(py::module_& module, const char* name, const py::handle& base, c
 
 void bind_errors(py::module_& module) {
   // The base first: translators are asked in the opposite order.
-  const py::object base = bind<DirichletError>(module, "DirichletError", PyExc_Exception,
-                                               "The one family of errors of this package: one sentence, what and where.");
+  const py::object base =
+      bind<DirichletError>(module, "DirichletError", PyExc_Exception,
+                           "The one family of errors of this package: one sentence, what and where.");
   bind<InputError>(module, "InputError", base, "An argument or a file is not what it has to be.");
   bind<TopologyError>(module, "TopologyError", base, "The pieces are valid but cannot form what was asked for.");
   bind<SolverError>(module, "SolverError", base, "The linear system could not be solved to the promised residual.");

@@ -22,8 +22,8 @@ py::dict to_dict(const SolveReport& report) {
                   "minimum"_a = report.minimum, "maximum"_a = report.maximum,
                   "painted_minimum"_a = report.painted_minimum, "painted_maximum"_a = report.painted_maximum,
                   "outside"_a = report.outside, "farthest_outside"_a = report.farthest_outside,
-                  "undefined"_a = report.undefined, "first_undefined"_a = report.first_undefined,
-                  "seconds"_a = seconds, "warnings"_a = py::tuple(py::cast(report.warnings)));
+                  "undefined"_a = report.undefined, "first_undefined"_a = report.first_undefined, "seconds"_a = seconds,
+                  "warnings"_a = py::tuple(py::cast(report.warnings)));
 }
 
 std::unique_ptr<HarmonicSolver> make(const Mesh& mesh, const Array<Index>& painted, bool direct,

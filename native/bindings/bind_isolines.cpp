@@ -36,7 +36,8 @@ double through_point(const Mesh& mesh, const Array<double>& values, const std::a
 void bind_isolines(py::module_& module) {
   module.def("extract_isolines", &extract, py::arg("mesh"), py::arg("values").noconvert(),
              py::arg("levels").noconvert());
-  module.def("even_levels", [](double low, double high, Index count) { return to_numpy(even_levels(low, high, count)); });
+  module.def("even_levels",
+             [](double low, double high, Index count) { return to_numpy(even_levels(low, high, count)); });
   module.def("stepped_levels", [](double low, double high, double step, double phase) {
     return to_numpy(stepped_levels(low, high, step, phase));
   });

@@ -28,6 +28,8 @@ py::list inspect(const Mesh& mesh, const std::vector<Array<Index>>& patches) {
 
 } // namespace
 
-void bind_patches(py::module_& module) { module.def("inspect_patches", &inspect, py::arg("mesh"), py::arg("patches")); }
+void bind_patches(py::module_& module) {
+  module.def("inspect_patches", &inspect, py::arg("mesh"), py::arg("patches"));
+}
 
 } // namespace dirichlet::bindings

@@ -11,8 +11,8 @@ namespace dirichlet {
 /// vertex by their larger. Cost: O(V + C).
 Connectivity build_connectivity(Index vertex_count, std::span<const Index> offsets, std::span<const Index> corners);
 
-/// Border half-edges joined end to end by turning around the vertex between them through its faces, so that two loops
-/// which touch in a vertex stay two. A chain cut by a non-manifold edge does not close and is left out.
+/// Border half-edges joined end to end by turning around the vertex between them through its faces: sheets that touch
+/// in a vertex keep a loop each. A chain cut by a non-manifold edge does not close and is left out.
 BorderLoops trace_border_loops(std::span<const Index> offsets, std::span<const Index> corners,
                                const Connectivity& connectivity);
 

@@ -16,7 +16,9 @@ namespace {
 using Column = Eigen::Ref<Eigen::VectorXd>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+std::size_t at(Index i) {
+  return static_cast<std::size_t>(i);
+}
 
 /// 1 at every painted vertex.
 Mask paint(Index vertex_count, std::span<const Index> painted) {

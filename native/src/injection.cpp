@@ -11,11 +11,13 @@ namespace {
 
 void check_mask(const SparseMatrix& matrix, const Mask& mask) {
   if (matrix.rows() != matrix.cols() || mask.size() != static_cast<std::size_t>(matrix.rows()))
-    throw InputError(message("a mask of ", mask.size(), " entries does not fit a matrix of ", matrix.rows(), " × ",
-                             matrix.cols()));
+    throw InputError(
+        message("a mask of ", mask.size(), " entries does not fit a matrix of ", matrix.rows(), " × ", matrix.cols()));
 }
 
-bool painted(const Mask& mask, Index i) { return mask[static_cast<std::size_t>(i)] != 0; }
+bool painted(const Mask& mask, Index i) {
+  return mask[static_cast<std::size_t>(i)] != 0;
+}
 
 /// The entries keep(row, column) lets through, in their order, and 1 on the diagonal of painted rows. With rows read as
 /// columns the same arrays are a column-major matrix.

@@ -43,8 +43,8 @@ void check_offsets(std::span<const Index> offsets, std::size_t corner_count) {
                              ", but have to run from 0 to the number of corners, ", corner_count));
   const auto drop = std::is_sorted_until(offsets.begin(), offsets.end());
   if (drop != offsets.end())
-    throw InputError(message("face offsets descend at place ", drop - offsets.begin(), ", from ", *(drop - 1), " to ",
-                             *drop));
+    throw InputError(
+        message("face offsets descend at place ", drop - offsets.begin(), ", from ", *(drop - 1), " to ", *drop));
 }
 
 void check_corner_range(std::span<const Index> offsets, std::span<const Index> corners, Index vertex_count) {
@@ -117,8 +117,7 @@ void Mesh::build(std::span<const Index> offsets, std::span<const Index> corners)
     offsets_.push_back(static_cast<Index>(corners_.size()));
   }
   triangular_ = true;
-  for (std::size_t f = 0; f + 1 < offsets_.size() && triangular_; ++f)
-    triangular_ = offsets_[f + 1] - offsets_[f] == 3;
+  for (std::size_t f = 0; f + 1 < offsets_.size() && triangular_; ++f) triangular_ = offsets_[f + 1] - offsets_[f] == 3;
   connectivity_ = build_connectivity(vertex_count(), offsets_, corners_);
   build_seconds_ = watch.seconds();
 }
@@ -141,6 +140,8 @@ Components Mesh::components() const {
   return result;
 }
 
-BorderLoops Mesh::border_loops() const { return trace_border_loops(offsets_, corners_, connectivity_); }
+BorderLoops Mesh::border_loops() const {
+  return trace_border_loops(offsets_, corners_, connectivity_);
+}
 
 } // namespace dirichlet

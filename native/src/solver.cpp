@@ -15,7 +15,9 @@
 namespace dirichlet {
 namespace {
 
-Index count_free(const Mask& mask) { return static_cast<Index>(std::count(mask.begin(), mask.end(), 0)); }
+Index count_free(const Mask& mask) {
+  return static_cast<Index>(std::count(mask.begin(), mask.end(), 0));
+}
 
 class DirectSolver final : public Solver {
  public:
@@ -27,7 +29,8 @@ class DirectSolver final : public Solver {
     statistics_.inject_seconds = watch.restart();
     factor_.compute(A);
     if (factor_.info() != Eigen::Success)
-      throw SolverError(message("the matrix of ", statistics_.unknowns, " unknowns is singular and has no Cholesky factor"));
+      throw SolverError(
+          message("the matrix of ", statistics_.unknowns, " unknowns is singular and has no Cholesky factor"));
     statistics_.factor_nonzeros = factor_.matrixL().nestedExpression().nonZeros();
     statistics_.factor_seconds = watch.seconds();
   }

@@ -75,8 +75,8 @@ inline PolygonSoup sphere(Index rings, Index sectors) {
   for (Index j = 0; j < rings; ++j)
     for (Index i = 0; i < sectors; ++i) {
       const double theta = std::numbers::pi * (j + 1) / (rings + 1), phi = 2 * std::numbers::pi * i / sectors;
-      soup.positions.insert(soup.positions.end(), {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-                                                   std::cos(theta)});
+      soup.positions.insert(soup.positions.end(),
+                            {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
     }
   soup.positions.insert(soup.positions.end(), {0, 0, -1});
   const auto at = [&](Index j, Index i) { return 1 + j * sectors + i % sectors; };

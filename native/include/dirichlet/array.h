@@ -12,8 +12,8 @@ namespace dirichlet {
 /// Vertices, faces, corners and edges are counted in 32 bits, like in NumPy's int32, Eigen and Blender.
 using Index = std::int32_t;
 
-/// A read-only array together with what keeps it alive, so that a caller's buffer (a NumPy array, say) is used in place.
-/// Copying it copies two pointers. Cost: O(1).
+/// A read-only array together with what keeps it alive, so that a caller's buffer (a NumPy array, say) is used in
+/// place. Copying it copies two pointers. Cost: O(1).
 template <class T>
 class SharedArray {
  public:

@@ -15,13 +15,13 @@ namespace dirichlet {
 /// What was solved, how well and how fast. Ranges are over all columns of a field.
 struct SolveReport {
   Index vertices = 0;
-  Index painted = 0;               ///< distinct painted vertices
-  Index unknowns = 0;              ///< free vertices that have an equation
-  std::int64_t nonzeros = 0;       ///< of the injected matrix, as the method stores it
+  Index painted = 0;         ///< distinct painted vertices
+  Index unknowns = 0;        ///< free vertices that have an equation
+  std::int64_t nonzeros = 0; ///< of the injected matrix, as the method stores it
   std::int64_t factor_nonzeros = 0;
-  Index iterations = 0;            ///< 0 for a direct method
-  double relative_residual = 0;    ///< ‖rhs − Kφ‖ / ‖rhs‖ over the free vertices, the worst column
-  double minimum = 0;              ///< of the defined values
+  Index iterations = 0;         ///< 0 for a direct method
+  double relative_residual = 0; ///< ‖rhs − Kφ‖ / ‖rhs‖ over the free vertices, the worst column
+  double minimum = 0;           ///< of the defined values
   double maximum = 0;
   double painted_minimum = 0;
   double painted_maximum = 0;
@@ -33,7 +33,7 @@ struct SolveReport {
   double laplacian_seconds = 0;
   double injection_seconds = 0;
   double factor_seconds = 0;
-  double solve_seconds = 0;        ///< this right-hand side alone
+  double solve_seconds = 0;          ///< this right-hand side alone
   std::vector<std::string> warnings; ///< one sentence each
 };
 
@@ -77,7 +77,7 @@ class HarmonicSolver {
   SparseMatrix stiffness_;
   std::vector<Index> painted_;
   std::vector<std::array<Index, 2>> repeats_; ///< places of painted_ that name a vertex again, and where it stood first
-  Mask fixed_; ///< painted, or undefined: rows without an equation of their own
+  Mask fixed_;                                ///< painted, or undefined: rows without an equation of their own
   FreeRegions regions_;
   std::unique_ptr<const Solver> solver_;
   SolveReport base_; ///< what does not depend on the values

@@ -72,8 +72,8 @@ class Mesh {
   /// the first call and kept (see triangulation.h). \throws TopologyError  a polygon that has no triangulation.
   [[nodiscard]] const Mesh& triangulated() const;
 
-  [[nodiscard]] Components components() const;     ///< Cost: O(V + E)
-  [[nodiscard]] BorderLoops border_loops() const;  ///< Cost: O(V + E)
+  [[nodiscard]] Components components() const;                          ///< Cost: O(V + E)
+  [[nodiscard]] BorderLoops border_loops() const;                       ///< Cost: O(V + E)
   [[nodiscard]] double build_seconds() const { return build_seconds_; } ///< wall time of validation and connectivity
 
  private:

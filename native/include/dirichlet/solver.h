@@ -12,8 +12,8 @@
 namespace dirichlet {
 
 enum class Method {
-  direct,             ///< Cholesky (LDLᵀ) of the symmetric twin, fill reduced by approximate minimum degree
-  least_squares_cg,   ///< the paper's: conjugate gradients on LᵀL of the raw, unsymmetric matrix; the reference
+  direct,           ///< Cholesky (LDLᵀ) of the symmetric twin, fill reduced by approximate minimum degree
+  least_squares_cg, ///< the paper's: conjugate gradients on LᵀL of the raw, unsymmetric matrix; the reference
 };
 
 struct SolverOptions {
@@ -25,11 +25,11 @@ struct SolverOptions {
 };
 
 struct SolverStatistics {
-  Index unknowns = 0;                ///< free vertices
-  std::int64_t nonzeros = 0;         ///< of the injected matrix, as the method stores it
-  std::int64_t factor_nonzeros = 0;  ///< of L; 0 for an iterative method
-  double inject_seconds = 0;         ///< building the injected matrix
-  double factor_seconds = 0;         ///< ordering and factorisation
+  Index unknowns = 0;               ///< free vertices
+  std::int64_t nonzeros = 0;        ///< of the injected matrix, as the method stores it
+  std::int64_t factor_nonzeros = 0; ///< of L; 0 for an iterative method
+  double inject_seconds = 0;        ///< building the injected matrix
+  double factor_seconds = 0;        ///< ordering and factorisation
 };
 
 /// One way to solve the injected system. Built once per stiffness matrix and mask; solves any number of right-hand
