@@ -40,7 +40,9 @@ RAMPS: dict[str, tuple[tuple[float, Color], ...]] = {
 UNDEFINED_COLOR: Color = (0.21, 0.21, 0.21)
 
 
-def apply_ramp(values: NDArray[np.floating[Any]], low: float, high: float, name: str = "rainbow") -> NDArray[np.float64]:
+def apply_ramp(
+    values: NDArray[np.floating[Any]], low: float, high: float, name: str = "rainbow"
+) -> NDArray[np.float64]:
     """Linear RGB (..., 3) of values (...) on the ramp `name` spread over [low, high].
 
     Values outside take the colour of the nearer end, NaN takes UNDEFINED_COLOR; where low == high all is mid-ramp.
@@ -57,5 +59,5 @@ def apply_ramp(values: NDArray[np.floating[Any]], low: float, high: float, name:
 def srgb_bytes(linear: NDArray[np.float64]) -> NDArray[np.uint8]:
     """Linear RGB in [0, 1] as the sRGB bytes that files and screens expect (IEC 61966-2-1)."""
     linear = np.clip(linear, 0.0, 1.0)
-    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    encoded: NDArray[np.float64] = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
     return np.rint(255 * encoded).astype(np.uint8)
