@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "isoline_tracing.h"
+
+#include <algorithm>
+#include <mutex>
+#include <numeric>
+
+#include "dirichlet/error.h"
+#include "message.h"
+#include "parallel.h"
+
+namespace dirichlet {
+namespace {
+
+/// Levels low … high - 1 cross a triangle.
+struct Range {
+  Index low, high;
+};
+
+Range level_range(std::span<const Index> corners, std::span<const Index> numbers, std::size_t triangle) {
+  const auto number = [&](std::size_t i) { return numbers[static_cast<std::size_t>(corners[3 * triangle + i])]; };
+  const Index a = number(0), b = number(1), c = number(2);
+  return {std::min(a, std::min(b, c)), std::max(a, std::max(b, c))};
+}
+
+/// The triangles that any level crosses, ascending. Without a branch, which one triangle in ten would mispredict.
+std::vector<Index> active_triangles(std::span<const Index> corners, std::span<const Index> numbers) {
+  const std::size_t count = corners.size() / 3;
+  std::vector<Index> active(count);
+  std::vector<std::pair<std::size_t, std::size_t>> pieces; // where a thread's triangles start, and how many there are
+  std::mutex mutex;
+  parallel_chunks(count, std::size_t{1} << 16, [&](std::size_t begin, std::size_t end) {
+    std::size_t next = begin;
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto [low, high] = level_range(corners, numbers, f);
+      active[next] = static_cast<Index>(f);
+      next += static_cast<std::size_t>(static_cast<int>(low != high) & static_cast<int>(low != kUndefined));
+    }
+    const std::scoped_lock lock(mutex);
+    pieces.emplace_back(begin, next - begin);
+  });
+  std::sort(pieces.begin(), pieces.end());
+  auto out = active.begin();
+  for (const auto& [begin, size] : pieces) {
+    const auto from = active.begin() + static_cast<std::ptrdiff_t>(begin);
+    out = std::copy(from, from + static_cast<std::ptrdiff_t>(size), out);
+  }
+  active.erase(out, active.end());
+  return active;
+}
+
+} // namespace
+
+Crossings find_crossings(std::span<const Index> corners, std::span<const Index> numbers, Index level_count) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 30; // points are counted in 32 bits, at most two to a crossing
+  const std::vector<Index> active = active_triangles(corners, numbers);
+  std::int64_t total = 0;
+  std::vector<Index> next(static_cast<std::size_t>(level_count) + 1, 0); // first by how much the crossings of a level
+  for (const Index f : active) {                                         // exceed those of the level below
+    const auto [low, high] = level_range(corners, numbers, static_cast<std::size_t>(f));
+    ++next[static_cast<std::size_t>(low)];
+    --next[static_cast<std::size_t>(high)];
+    total += high - low;
+  }
+  if (total > kMost)
+    throw InputError(
+        message("the levels cross the triangles ", total, " times, more than the ", kMost, " there can be"));
+
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::exclusive_scan(next.begin(), next.end(), next.begin(), Index{0});
+  Crossings crossings{next, std::vector<Index>(static_cast<std::size_t>(total))};
+  for (const Index f : active) {
+    const auto [low, high] = level_range(corners, numbers, static_cast<std::size_t>(f));
+    for (auto k = static_cast<std::size_t>(low); k < static_cast<std::size_t>(high); ++k)
+      crossings.triangles[static_cast<std::size_t>(next[k]++)] = f;
+  }
+  return crossings;
+}
+
+LineTracer::LineTracer(const Mesh& triangles, std::span<const Index> numbers)
+    : corners_(triangles.corners()), opposite_(triangles.connectivity().opposite), numbers_(numbers),
+      mark_(corners_.size() / 3, -1) {}
+
+bool LineTracer::trace(Index triangle, Index level, std::vector<Index>& half_edges) {
+  half_edges.clear();
+  mark_[at(triangle)] = level;
+  Index entry = 3 * triangle; // from above to below: what is above lies on the left of a line that comes in here
+  while (number(entry) <= level || number(next(entry)) > level) ++entry;
+  const bool closed = walk(entry, level, half_edges);
+  std::reverse(half_edges.begin(), half_edges.end());
+  if (closed) return true; // through the exit, on the other side of which that walk ended
+  Index exit = 3 * triangle;
+  while (number(exit) > level || number(next(exit)) <= level) ++exit;
+  walk(exit, level, half_edges);
+  return false;
+}
+
+/// Leaves a triangle through `half_edge` and goes on. What counts is which edges are crossed, not which way half-edges
+/// point, so a turned-over neighbour is no obstacle. \returns whether the line came back to where it began.
+bool LineTracer::walk(Index half_edge, Index level, std::vector<Index>& half_edges) {
+  while (true) {
+    half_edges.push_back(half_edge);
+    const Index across = opposite_[at(half_edge)];
+    if (across < 0) return false;
+    const Index triangle = across / 3;
+    if (visited(triangle, level)) return true;
+    const Index head = next(across), apex = next(head);
+    if (number(apex) == kUndefined) return false;
+    mark_[at(triangle)] = level;
+    half_edge = (number(apex) > level) != (number(head) > level) ? head : apex;
+  }
+}
+
+} // namespace dirichlet
