@@ -10,6 +10,7 @@ import ast
 import os
 import re
 import sys
+import tomllib
 import zipfile
 from pathlib import Path
 
@@ -21,12 +22,22 @@ def project_version() -> str:
     return re.search(r"project\(dirichlet_surface VERSION ([0-9.]+)", cmake.read_text()).group(1)
 
 
-def addon_version(staged: Path) -> str:
-    """The version in bl_info, which Blender parses as a literal without running the file; so do we."""
+def bl_info_version(staged: Path) -> str:
+    """Blender parses bl_info as a literal without running the file; so do we."""
     for statement in ast.parse((staged / "__init__.py").read_text()).body:
         if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "bl_info":
             return ".".join(map(str, ast.literal_eval(statement.value)["version"]))
     raise SystemExit(f"{staged}/__init__.py has no bl_info")
+
+
+def check_versions(staged: Path, version: str) -> None:
+    found = {
+        "bl_info": bl_info_version(staged),
+        "blender_manifest.toml": tomllib.loads((staged / "blender_manifest.toml").read_text())["version"],
+    }
+    for place, other in found.items():
+        if other != version:
+            raise SystemExit(f"{place} says version {other}, CMakeLists.txt says {version}")
 
 
 def files_to_ship(staged: Path) -> list[Path]:
@@ -55,8 +66,7 @@ def print_content(target: Path) -> None:
 
 def main(staged: Path, folder: Path) -> None:
     version = project_version()
-    if addon_version(staged) != version:
-        raise SystemExit(f"bl_info says version {addon_version(staged)}, CMakeLists.txt says {version}")
+    check_versions(staged, version)
     folder.mkdir(parents=True, exist_ok=True)
     target = folder / f"{staged.name}-{version}.zip"
     write_zip(staged, target)
