@@ -63,6 +63,10 @@ class FaceCopier {
   explicit FaceCopier(Index vertex_count) : last_face_(static_cast<std::size_t>(vertex_count), -1) {}
 
   void copy(Index face, std::span<const Index> in, std::vector<Index>& out) {
+    if (in.size() == 3 && in[0] != in[1] && in[1] != in[2] && in[2] != in[0]) { // most faces there are
+      out.insert(out.end(), in.begin(), in.end());
+      return;
+    }
     const std::size_t begin = out.size();
     for (const Index v : in)
       if (out.size() == begin || out.back() != v) out.push_back(v);

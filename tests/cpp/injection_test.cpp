@@ -66,6 +66,12 @@ TEST(FreeRegions, paint_across_a_strip_cuts_it_in_two_and_each_side_knows_its_ri
   EXPECT_EQ(regions.rim, (std::vector<std::array<Index, 2>>{{0, 2}, {1, 2}, {0, 7}, {1, 7}}));
 }
 
+TEST(FreeRegions, do_not_meet_through_a_painted_vertex) {
+  const makers::PolygonSoup bow_tie{std::vector<double>(15), {{0, 1, 2}, {0, 3, 4}}};
+  const FreeRegions regions = free_regions(graph_stiffness(*make_mesh(bow_tie)), {1, 0, 0, 0, 0});
+  EXPECT_EQ(regions.label, (std::vector<Index>{-1, 0, 0, 1, 1}));
+}
+
 TEST(FreeRegions, a_piece_without_paint_has_no_rim) {
   auto soup = makers::grid(1, 1);
   soup.positions.insert(soup.positions.end(), 3, 0.0);
