@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dirichlet/mesh_io.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <system_error>
+
+#include "mesh_io/checked_file.h"
+#include "mesh_io/encode.h"
+#include "mesh_io/openmesh_reader.h"
+
+namespace dirichlet {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+[[noreturn]] void refuse_ending(const fs::path& path) {
+  throw InputError(message(path.string(), " has the ending '", path.extension().string(),
+                           "', but only .obj, .ply, .off and .stl are known"));
+}
+
+[[noreturn]] void refuse_access(const fs::path& path, std::string_view verb, std::error_code reason) {
+  throw InputError(message(path.string(), " cannot be ", verb, ": ", reason.message()));
+}
+
+std::error_code last_error() {
+  return {errno, std::generic_category()};
+}
+
+FileBytes read_bytes(const fs::path& path) {
+  if (fs::is_directory(path)) refuse_access(path, "read", std::make_error_code(std::errc::is_a_directory));
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream out;
+  if (in && in.peek() != std::ifstream::traits_type::eof()) out << in.rdbuf();
+  if (!in.is_open() || in.bad() || !out) refuse_access(path, "read", last_error());
+  return {path.string(), std::move(out).str()};
+}
+
+/// Beside the target, so that the rename stays within one file system; gone again unless it was renamed.
+class FileBeside {
+ public:
+  explicit FileBeside(const fs::path& target) : target_(target), path_(target) {
+    path_ += message(".", std::random_device{}(), ".part");
+  }
+  FileBeside(const FileBeside&) = delete;
+  FileBeside& operator=(const FileBeside&) = delete;
+  ~FileBeside() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+
+  void write(const std::string& bytes) {
+    errno = 0;
+    std::ofstream out(path_, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) refuse_access(target_, "written", last_error());
+  }
+
+  void become_target() {
+    std::error_code error;
+    fs::rename(path_, target_, error);
+    if (error) refuse_access(target_, "written", error);
+  }
+
+ private:
+  const fs::path& target_;
+  fs::path path_;
+};
+
+std::string encode(const fs::path& path, const MeshView& mesh, std::span<const unsigned char> colors) {
+  const std::string ending = ending_of(path);
+  if (ending == ".ply") return encode_ply(mesh, colors);
+  if (!colors.empty()) throw InputError(message(path.string(), ": colours can be written to .ply files only"));
+  if (ending == ".obj") return encode_obj(mesh);
+  if (ending == ".off") return encode_off(mesh);
+  if (ending == ".stl") return encode_stl(mesh);
+  refuse_ending(path);
+}
+
+} // namespace
+
+MeshArrays read_mesh_file(const fs::path& path) {
+  struct Format {
+    std::string_view ending;
+    CheckedFile (*check)(const FileBytes&);
+  };
+  constexpr std::array<Format, 4> formats{
+      {{".obj", check_obj}, {".ply", check_ply}, {".off", check_off}, {".stl", check_stl}}};
+  const std::string ending = ending_of(path);
+  const auto format = std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.ending == ending; });
+  if (format == formats.end()) refuse_ending(path);
+
+  const FileBytes file = read_bytes(path);
+  if (file.bytes.empty()) throw InputError(message(file.name, " is empty"));
+  CheckedFile checked = format->check(file);
+  if (checked.faces == 0) throw InputError(message(file.name, " has no faces"));
+  return read_with_openmesh(file.name, ending, std::move(checked));
+}
+
+void write_mesh_file(const fs::path& path, std::span<const double> positions, std::span<const Index> offsets,
+                     std::span<const Index> corners, std::span<const unsigned char> colors) {
+  if (positions.size() % 3 != 0 || offsets.empty() || static_cast<std::size_t>(offsets.back()) != corners.size())
+    throw InputError("the arrays to be written are not those of a mesh");
+  if (!colors.empty() && colors.size() != positions.size())
+    throw InputError(message(colors.size() / 3, " colours do not fit ", positions.size() / 3, " vertices"));
+  const std::string bytes = encode(path, {positions, offsets, corners}, colors);
+  FileBeside file(path);
+  file.write(bytes);
+  file.become_target();
+}
+
+} // namespace dirichlet
