@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The field on the mesh: two point attributes."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import library
+from .names import COLOR, FIELD
+
+_TYPES = {FIELD: "FLOAT", COLOR: "FLOAT_COLOR"}
+
+
+def require_names(obj: bpy.types.Object) -> None:
+    """Raises InputError when something else on the mesh goes by one of the two names, since names are shared."""
+    mesh = obj.data
+    for name, data_type in _TYPES.items():
+        found = mesh.attributes.get(name)
+        if name in obj.vertex_groups:
+            what = "a vertex group"
+        elif name in mesh.uv_layers:
+            what = "a UV map"
+        elif found and (found.data_type, found.domain) != (data_type, "POINT"):
+            what = f"a {found.data_type} attribute per {found.domain}"
+        else:
+            continue
+        raise library.load().InputError(f"'{name}' of mesh '{mesh.name}' is {what}: rename it, the field needs the name")
+
+
+def write(mesh: bpy.types.Mesh, values: NDArray[np.float64], colors: NDArray[np.float32]) -> None:
+    """values (V,), colors (V, 4) linear. Makes the colours active, for display and for rendering."""
+    for name, data_type in _TYPES.items():
+        if name not in mesh.attributes:
+            mesh.attributes.new(name, data_type, "POINT")
+    mesh.attributes[FIELD].data.foreach_set("value", values.astype(np.float32))
+    write_colors(mesh, colors)
+    mesh.color_attributes.active_color_name = COLOR
+    mesh.color_attributes.render_color_index = mesh.color_attributes.find(COLOR)
+
+
+def write_colors(mesh: bpy.types.Mesh, colors: NDArray[np.float32]) -> None:
+    """colors (V, 4), of a mesh that has the attribute."""
+    mesh.attributes[COLOR].data.foreach_set("color", colors.ravel())
+    mesh.update()
+
+
+def has_field(mesh: bpy.types.Mesh) -> bool:
+    found = mesh.attributes.get(FIELD)
+    return found is not None and (found.data_type, found.domain) == ("FLOAT", "POINT")
+
+
+def read_field(mesh: bpy.types.Mesh) -> NDArray[np.float64]:
+    """(V,) as stored, i.e. rounded to float32. Raises InputError when there is none."""
+    if not has_field(mesh):
+        raise library.load().InputError(f"mesh '{mesh.name}' has no attribute '{FIELD}': run Solve Field first")
+    values = np.empty(len(mesh.vertices), np.float32)
+    mesh.attributes[FIELD].data.foreach_get("value", values)
+    return values.astype(np.float64)

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Vertex groups as arrays.
+
+Blender has no bulk access to vertex weights. Geometry nodes do: evaluated on a temporary object of the same mesh, they
+copy every group into an ordinary attribute. Nothing of it is left behind. A vertex outside a group reads as weight 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+import bpy
+import numpy as np
+from numpy.typing import NDArray
+
+_BATCH = 32  # groups evaluated at once: bounds the memory for meshes with thousands of groups
+
+
+def read_weights(mesh: bpy.types.Mesh, names: Sequence[str]) -> Iterator[NDArray[np.float32]]:
+    """(V,) weights in [0, 1] of every group named, in that order; all of them exist."""
+    for start in range(0, len(names), _BATCH):
+        batch = names[start : start + _BATCH]
+        with _evaluated(mesh, batch) as attributes:
+            for k in range(len(batch)):
+                weights = np.empty(len(mesh.vertices), np.float32)
+                attributes[_stored_name(k)].data.foreach_get("value", weights)
+                yield weights
+
+
+def add_group(obj: bpy.types.Object, name: str, vertices: NDArray[np.intp]) -> str:
+    """Makes a vertex group with these vertices at weight 1; returns the name that Blender gave it."""
+    group = obj.vertex_groups.new(name=name)
+    group.add(vertices.tolist(), 1.0, "REPLACE")
+    return group.name
+
+
+@contextmanager
+def _evaluated(mesh: bpy.types.Mesh, names: Sequence[str]) -> Iterator[bpy.types.bpy_prop_collection]:
+    """The attributes of the mesh with the groups stored among them."""
+    tree = _tree(names)
+    scene = bpy.data.scenes.new(tree.name)
+    obj = bpy.data.objects.new(tree.name, mesh)
+    try:
+        scene.collection.objects.link(obj)
+        obj.modifiers.new(tree.name, "NODES").node_group = tree
+        scene.view_layers[0].update()
+        yield obj.evaluated_get(scene.view_layers[0].depsgraph).data.attributes
+    finally:
+        bpy.data.objects.remove(obj)
+        bpy.data.scenes.remove(scene)
+        bpy.data.node_groups.remove(tree)
+
+
+def _tree(names: Sequence[str]) -> bpy.types.NodeTree:
+    """Geometry in, a Store Named Attribute per group, geometry out."""
+    tree = bpy.data.node_groups.new("Dirichlet weights", "GeometryNodeTree")
+    _add_geometry_sockets(tree)
+    last = tree.nodes.new("NodeGroupInput").outputs[0]
+    for k, name in enumerate(names):
+        weight = tree.nodes.new("GeometryNodeInputNamedAttribute")
+        weight.data_type = "FLOAT"
+        weight.inputs["Name"].default_value = name
+        store = tree.nodes.new("GeometryNodeStoreNamedAttribute")
+        store.data_type, store.domain = "FLOAT", "POINT"
+        store.inputs["Name"].default_value = _stored_name(k)
+        tree.links.new(_enabled(weight.outputs, "Attribute"), _enabled(store.inputs, "Value"))
+        tree.links.new(last, store.inputs["Geometry"])
+        last = store.outputs["Geometry"]
+    tree.links.new(last, tree.nodes.new("NodeGroupOutput").inputs[0])
+    return tree
+
+
+def _stored_name(k: int) -> str:
+    return f".dirichlet_weight_{k}"
+
+
+def _enabled(sockets, name: str) -> bpy.types.NodeSocket:
+    """Nodes carry a socket of one name per data type, of which one is enabled."""
+    return next(socket for socket in sockets if socket.enabled and socket.name == name)
+
+
+def _add_geometry_sockets(tree: bpy.types.NodeTree) -> None:
+    if bpy.app.version >= (4, 0, 0):
+        tree.interface.new_socket("Geometry", in_out="INPUT", socket_type="NodeSocketGeometry")
+        tree.interface.new_socket("Geometry", in_out="OUTPUT", socket_type="NodeSocketGeometry")
+    else:
+        tree.inputs.new("NodeSocketGeometry", "Geometry")
+        tree.outputs.new("NodeSocketGeometry", "Geometry")

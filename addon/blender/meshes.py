@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Mesh data-blocks as arrays."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import library
+
+# foreach_get is fast only into a buffer of Blender's own C type: float32 for coordinates, unsigned for indices.
+
+
+def read_mesh(mesh: bpy.types.Mesh):
+    """The dirichlet_surface.Mesh of a mesh data-block in object space, without modifiers or shape keys.
+
+    Raises the library's InputError (no faces, a coordinate that is not finite) and TopologyError.
+    """
+    return library.load().Mesh(read_positions(mesh), read_polygons(mesh))
+
+
+def read_positions(mesh: bpy.types.Mesh) -> NDArray[np.float64]:
+    """(V, 3)"""
+    positions = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", positions)
+    return positions.reshape(-1, 3).astype(np.float64)
+
+
+def read_polygons(mesh: bpy.types.Mesh) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+    """Offsets (F + 1,) and corners (C,)."""
+    corners, starts, sizes = (
+        np.empty(len(items), np.uint32) for items in (mesh.loops, mesh.polygons, mesh.polygons)
+    )
+    mesh.loops.foreach_get("vertex_index", corners)
+    mesh.polygons.foreach_get("loop_start", starts)
+    mesh.polygons.foreach_get("loop_total", sizes)
+    offsets = np.concatenate(([0], np.cumsum(sizes, dtype=np.int64)))
+    if not np.array_equal(offsets[:-1], starts):  # before Blender 3.6 faces may own any stretch of the loops
+        corners = corners[np.repeat(starts - offsets[:-1], sizes) + np.arange(offsets[-1])]
+    return offsets.astype(np.int32), corners.view(np.int32)
+
+
+def selected_vertices(mesh: bpy.types.Mesh) -> NDArray[np.intp]:
+    """Indices, ascending."""
+    selected = np.empty(len(mesh.vertices), bool)
+    mesh.vertices.foreach_get("select", selected)
+    return np.flatnonzero(selected)
+
+
+def diagonal(mesh: bpy.types.Mesh) -> float:
+    """Of the bounding box, in object space; 0 without vertices."""
+    return float(np.linalg.norm(np.ptp(read_positions(mesh), axis=0))) if len(mesh.vertices) else 0.0

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The one place that finds `dirichlet_surface`: the copy in this add-on's folder, else an installed one.
+
+It is imported at first use, so that enabling the add-on and drawing its panel work without it.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import sys
+import sysconfig
+from pathlib import Path
+from types import ModuleType
+
+_NAME = "dirichlet_surface"
+_failure = ""
+
+
+class LibraryMissingError(Exception):
+    """The library cannot be imported; the message says what was expected and what was found."""
+
+
+def load(submodule: str = "") -> ModuleType:
+    """The package, or a submodule of it. Raises LibraryMissingError."""
+    global _failure
+    bundled = f"{__package__}.{_NAME}"
+    name = bundled if importlib.util.find_spec(bundled) else _NAME
+    try:
+        package = importlib.import_module(name)
+        _failure = ""
+        return importlib.import_module(f"{name}.{submodule}") if submodule else package
+    except ImportError as error:
+        _failure = _explain(error)
+        raise LibraryMissingError(_failure) from error
+
+
+def failure() -> str:
+    """The sentence of the last import when that failed, else nothing: for the panel."""
+    return _failure
+
+
+def refusals() -> tuple[type[Exception], ...]:
+    """What operators report in a sentence; everything else is a bug of ours and keeps its traceback."""
+    return (LibraryMissingError,) if _failure else (LibraryMissingError, load().DirichletError)
+
+
+def _explain(error: ImportError) -> str:
+    folder = Path(__file__).parent / _NAME
+    expected = f"_native{sysconfig.get_config_var('EXT_SUFFIX')}"
+    found = ", ".join(sorted(path.name for path in folder.glob("_native*"))) or "no compiled module"
+    return (
+        f"The compiled library could not be loaded: expected {expected} for Python {sys.version_info.major}."
+        f"{sys.version_info.minor} in {folder}, found {found} ({error})"
+    )

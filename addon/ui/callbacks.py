@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What follows when a property of Object.dirichlet changes."""
+
+from contextlib import suppress
+
+from .. import library
+
+
+def ramp_preset_changed(settings, context) -> None:
+    from ..blender import pipeline
+
+    with suppress(library.LibraryMissingError):  # the panel says so
+        pipeline.apply_preset(settings.id_data)
+
+
+def bevel_depth_changed(settings, context) -> None:
+    from ..blender import curves
+
+    curves.set_radius(settings.id_data, settings.bevel_depth)
+
+
+# The window follows the field's range until one of its ends is set; the other end then starts at that range's.
+
+
+def window_low_changed(settings, context) -> None:
+    if settings.window_auto:
+        settings.window_auto = False
+        settings.window_high = settings.results.maximum
+
+
+def window_high_changed(settings, context) -> None:
+    if settings.window_auto:
+        settings.window_auto = False
+        settings.window_low = settings.results.minimum
+
+
+def get_window_low_place(settings) -> float:
+    return 0.0 if settings.window_auto else _place(settings, settings.window_low)
+
+
+def get_window_high_place(settings) -> float:
+    return 1.0 if settings.window_auto else _place(settings, settings.window_high)
+
+
+def set_window_low_place(settings, place: float) -> None:
+    settings.window_low = _value(settings, place)
+
+
+def set_window_high_place(settings, place: float) -> None:
+    settings.window_high = _value(settings, place)
+
+
+def _place(settings, value: float) -> float:
+    """On the ramp, from 0 to 1."""
+    low, high = settings.results.minimum, settings.results.maximum
+    return min(max((value - low) / (high - low), 0.0), 1.0) if high > low else 0.5
+
+
+def _value(settings, place: float) -> float:
+    low, high = settings.results.minimum, settings.results.maximum
+    return low + place * (high - low)

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What several operators need."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+import bpy
+
+_MODES = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX")
+_SLOW = 50_000  # vertices from which an operator may take half a second
+
+
+def poll_mesh(cls: type[bpy.types.Operator], context: bpy.types.Context, modes: tuple[str, ...] = _MODES) -> bool:
+    """Whether the active object is a mesh that can be changed now; else says what to do."""
+    obj = context.active_object
+    if obj is None or obj.type != "MESH":
+        cls.poll_message_set("Select a mesh object first")
+    elif context.mode not in modes:
+        cls.poll_message_set("Go to Object, Weight Paint or Vertex Paint mode first")
+    elif any(block.library or block.override_library for block in (obj, obj.data)):
+        cls.poll_message_set("The object is linked from another file: make it and its data local first")
+    else:
+        return True
+    return False
+
+
+@contextmanager
+def progress(context: bpy.types.Context) -> Iterator[Callable[[float], None]]:
+    """Shows the part done at the mouse pointer, for meshes large enough to make people wait."""
+    if len(context.active_object.data.vertices) < _SLOW:
+        yield lambda done: None
+        return
+    manager = context.window_manager
+    manager.progress_begin(0, 1)
+    try:
+        yield manager.progress_update
+    finally:
+        manager.progress_end()

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operators that compute: each runs one function of blender/pipeline and reports."""
+
+import bpy
+
+from .. import library
+from ..blender import material
+from ..blender.names import FIELD
+from . import viewport
+from .common import poll_mesh, progress
+
+
+class DIRICHLET_OT_solve_field(bpy.types.Operator):
+    bl_idname = "dirichlet.solve_field"
+    bl_label = "Solve Field"
+    bl_description = (
+        "Solve for the smooth field that takes the patches' values, and show it: attributes dirichlet_field and "
+        "dirichlet_color, and a material. The mesh keeps its own materials, the field's covers them on this object"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        if not poll_mesh(cls, context):
+            return False
+        if not any(patch.enabled for patch in context.active_object.dirichlet.patches):
+            cls.poll_message_set("Add a patch first: paint a vertex group and press + in the list of patches")
+            return False
+        return True
+
+    def execute(self, context):
+        from ..blender import pipeline
+
+        try:
+            with progress(context) as show:
+                result = pipeline.solve_field(context.active_object, progress=show)
+        except library.refusals() as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        viewport.show_vertex_colors(context)
+        self.report({"INFO"}, result.field.report.summary())
+        for warning in result.warnings:
+            self.report({"WARNING"}, warning)
+        return {"FINISHED"}
+
+
+class DIRICHLET_OT_make_isolines(bpy.types.Operator):
+    bl_idname = "dirichlet.make_isolines"
+    bl_label = "Make Isolines"
+    bl_description = (
+        "Draw isolines of the field as a curve object, parented to this one. Running again updates that object; its "
+        "curve has a level, closed flag and length for each spline: custom properties dirichlet_level, _closed, _length"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return poll_mesh(cls, context) and _poll_field(cls, context)
+
+    def execute(self, context):
+        from ..blender import pipeline
+
+        try:
+            with progress(context) as show:
+                result = pipeline.make_isolines(context.active_object, progress=show)
+        except library.refusals() as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        lines = result.lines
+        self.report({"INFO"}, f"{len(lines)} isolines at {len(lines.levels)} levels, {int(lines.closed.sum())} closed")
+        for warning in result.warnings:
+            self.report({"WARNING"}, warning)
+        return {"FINISHED"}
+
+
+class DIRICHLET_OT_update_colors(bpy.types.Operator):
+    bl_idname = "dirichlet.update_colors"
+    bl_label = "Update Colors"
+    bl_description = "Write the color attribute dirichlet_color anew, through the ramp as it is now"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return poll_mesh(cls, context) and _poll_field(cls, context)
+
+    def execute(self, context):
+        from ..blender import pipeline
+
+        try:
+            pipeline.update_colors(context.active_object)
+        except library.refusals() as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class DIRICHLET_OT_restore_materials(bpy.types.Operator):
+    bl_idname = "dirichlet.restore_materials"
+    bl_label = "Restore Materials"
+    bl_description = "Show the mesh's own materials again; the next Solve Field covers them again"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        if not poll_mesh(cls, context):
+            return False
+        if not material.hides_others(context.active_object):
+            cls.poll_message_set("The field's material covers no other")
+            return False
+        return True
+
+    def execute(self, context):
+        material.restore(context.active_object)
+        return {"FINISHED"}
+
+
+def _poll_field(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
+    if FIELD in context.active_object.data.attributes:
+        return True
+    cls.poll_message_set("Solve Field first")
+    return False
+
+
+CLASSES = (
+    DIRICHLET_OT_solve_field,
+    DIRICHLET_OT_make_isolines,
+    DIRICHLET_OT_update_colors,
+    DIRICHLET_OT_restore_materials,
+)

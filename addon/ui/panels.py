@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tab Isolines of the 3D viewport's sidebar."""
+
+import textwrap
+
+import bpy
+
+from .. import library
+from ..blender import material
+
+
+class _Panel:
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Isolines"
+
+    @classmethod
+    def poll(cls, context):
+        return context.active_object is not None and context.active_object.type == "MESH"
+
+
+class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
+    bl_label = "Patches"
+
+    @classmethod
+    def poll(cls, context):
+        return True  # the one that says what to do when there is no mesh
+
+    def draw(self, context):
+        layout, obj = self.layout, context.active_object
+        if library.failure():
+            _write(layout, context, library.failure(), "ERROR")
+        if not super().poll(context):
+            layout.label(text="Select a mesh object", icon="INFO")
+            return
+        settings = obj.dirichlet
+        row = layout.row()
+        row.template_list("DIRICHLET_UL_patches", "", settings, "patches", settings, "active_patch", rows=4)
+        column = row.column(align=True)
+        column.operator("dirichlet.patch_add_group", text="", icon="ADD").group = ""
+        column.operator("dirichlet.patch_remove", text="", icon="REMOVE")
+        column.separator()
+        column.operator("dirichlet.patch_paint", text="", icon="BRUSH_DATA")
+        row = layout.row(align=True)
+        row.operator("dirichlet.patch_add_selected", text="From Selected", icon="RESTRICT_SELECT_OFF")
+        row.operator("dirichlet.patch_spread_values", icon="ARROW_LEFTRIGHT")
+        column = _properties(layout)
+        column.prop(settings, "threshold", slider=True)
+        column.prop(settings, "overlap")
+
+
+class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
+    bl_label = "Field"
+
+    def draw(self, context):
+        layout, obj = self.layout, context.active_object
+        settings = obj.dirichlet
+        row = layout.row()
+        row.scale_y = 1.4
+        row.operator("dirichlet.solve_field", icon="SHADING_RENDERED")
+        column = _properties(layout)
+        column.prop(settings, "method")
+        column.prop(settings, "ramp_preset")
+        ramp = material.find_ramp(obj)
+        if not ramp:
+            return
+        layout.template_color_ramp(ramp, "color_ramp", expand=True)
+        layout.operator("dirichlet.update_colors", icon="FILE_REFRESH")
+        if material.hides_others(obj):
+            layout.operator("dirichlet.restore_materials", icon="LOOP_BACK")
+
+
+class DIRICHLET_PT_isolines(_Panel, bpy.types.Panel):
+    bl_label = "Isolines"
+
+    def draw(self, context):
+        layout, settings = self.layout, context.active_object.dirichlet
+        row = layout.row()
+        row.scale_y = 1.4
+        row.operator("dirichlet.make_isolines", icon="CURVE_DATA")
+        layout.row().prop(settings, "levels_mode", expand=True)
+        if settings.levels_mode == "LIST":
+            _properties(layout).prop(settings, "levels_list")
+        else:
+            self._draw_window(layout, context.active_object)
+            column = _properties(layout)
+            for name in ("count",) if settings.levels_mode == "EVEN" else ("step", "phase"):
+                column.prop(settings, name)
+        _properties(layout).prop(settings, "bevel_depth")
+
+    def _draw_window(self, layout: bpy.types.UILayout, obj: bpy.types.Object) -> None:
+        """The ramp, and the window's ends as sliders that stand below it."""
+        settings, ramp = obj.dirichlet, material.find_ramp(obj)
+        box = layout.column(align=True)
+        row = box.row(align=True)
+        row.label(text=f"Window in {settings.results.minimum:.4g} to {settings.results.maximum:.4g}")
+        row.prop(settings, "window_auto", toggle=True)
+        if ramp:
+            box.template_color_ramp(ramp, "color_ramp", expand=False)
+        box.prop(settings, "window_low_place", slider=True)
+        box.prop(settings, "window_high_place", slider=True)
+        row = box.row(align=True)
+        row.active = not settings.window_auto
+        row.prop(settings, "window_low")
+        row.prop(settings, "window_high")
+
+
+class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
+    bl_label = "Results"
+
+    @classmethod
+    def poll(cls, context):
+        return super().poll(context) and context.active_object.dirichlet.results.solved
+
+    def draw(self, context):
+        layout, results = self.layout, context.active_object.dirichlet.results
+        rows = [
+            ("Connectivity", f"{results.connectivity_ms:.2f} ms"),
+            ("Solver", f"{results.solver_ms:.2f} ms"),
+            ("Isolines", f"{results.isolines_ms:.2f} ms" if results.extracted else "not made yet"),
+            ("Vertices", f"{results.vertices:,}"),
+            ("Painted / unknowns", f"{results.painted:,} / {results.unknowns:,}"),
+            ("Residual", f"{results.residual:.1e}"),
+            ("Field", f"{results.minimum:.6g} to {results.maximum:.6g}"),
+        ]
+        if results.undefined:
+            rows.append(("Undefined", f"{results.undefined:,}"))
+        if results.extracted:
+            rows.append(("Lines", f"{results.lines} at {results.levels} levels"))
+            rows.append(("Closed / open", f"{results.closed} / {results.lines - results.closed}"))
+        table = layout.split(factor=0.45)
+        names, numbers = table.column(align=True), table.column(align=True)
+        for name, number in rows:
+            names.label(text=name)
+            numbers.label(text=number)
+        warnings = results.field_warnings.splitlines()
+        warnings += results.isoline_warnings.splitlines() if results.extracted else []
+        for warning in warnings:
+            _write(layout, context, warning, "INFO")
+
+
+def _properties(layout: bpy.types.UILayout) -> bpy.types.UILayout:
+    """A column of properties with their names on the left."""
+    column = layout.column()
+    column.use_property_split = True
+    column.use_property_decorate = False
+    return column
+
+
+def _write(layout: bpy.types.UILayout, context: bpy.types.Context, sentence: str, icon: str) -> None:
+    """A sentence over as many lines as the sidebar's width asks for."""
+    characters = max(20, int(context.region.width / (7 * context.preferences.system.ui_scale)) - 6)
+    column = layout.column(align=True)
+    column.scale_y = 0.8
+    for k, line in enumerate(textwrap.wrap(sentence, characters)):
+        column.label(text=line, icon=icon if k == 0 else "BLANK1")
+
+
+CLASSES = (DIRICHLET_PT_patches, DIRICHLET_PT_field, DIRICHLET_PT_isolines, DIRICHLET_PT_results)

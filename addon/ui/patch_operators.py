@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operators on the list of patches."""
+
+import bpy
+from bpy.props import StringProperty
+
+from .common import poll_mesh
+
+_ANY_MODE = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX", "EDIT_MESH")
+
+
+def _append(obj: bpy.types.Object, group: str) -> None:
+    """A patch with the next value: 0, then one more than the highest."""
+    settings = obj.dirichlet
+    value = max((patch.value for patch in settings.patches), default=-1.0) + 1.0
+    patch = settings.patches.add()
+    patch.group, patch.value = group, value
+    settings.active_patch = len(settings.patches) - 1
+
+
+def _unlisted(obj: bpy.types.Object) -> list[str]:
+    """Vertex groups without a patch, the active one first."""
+    listed = {patch.group for patch in obj.dirichlet.patches}
+    active = obj.vertex_groups.active
+    names = [group.name for group in obj.vertex_groups if group.name not in listed]
+    return sorted(names, key=lambda name: name != active.name)
+
+
+def _poll_patch(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
+    settings = context.active_object.dirichlet
+    if 0 <= settings.active_patch < len(settings.patches):
+        return True
+    cls.poll_message_set("Select a patch in the list first")
+    return False
+
+
+class DIRICHLET_OT_patch_add_group(bpy.types.Operator):
+    bl_idname = "dirichlet.patch_add_group"
+    bl_label = "Add Patch from Group"
+    bl_description = "Add a patch for the active vertex group, or for the first one that has no patch yet"
+    bl_options = {"REGISTER", "UNDO"}
+
+    group: StringProperty(
+        name="Vertex Group", description="Vertex group of the patch; empty: the active one, or the first without patch"
+    )
+
+    @classmethod
+    def poll(cls, context):
+        if not poll_mesh(cls, context):
+            return False
+        if not context.active_object.vertex_groups:
+            cls.poll_message_set("Paint weights first, or select vertices and use Add Patch from Selected")
+            return False
+        return True
+
+    def execute(self, context):
+        obj = context.active_object
+        if self.group and self.group not in obj.vertex_groups:
+            self.report({"ERROR"}, f"Object '{obj.name}' has no vertex group '{self.group}'")
+            return {"CANCELLED"}
+        names = [self.group] if self.group else _unlisted(obj)
+        if not names:
+            self.report({"ERROR"}, "Every vertex group has a patch already: paint another one first")
+            return {"CANCELLED"}
+        _append(obj, names[0])
+        return {"FINISHED"}
+
+
+class DIRICHLET_OT_patch_add_selected(bpy.types.Operator):
+    bl_idname = "dirichlet.patch_add_selected"
+    bl_label = "Add Patch from Selected"
+    bl_description = "Make a vertex group of the selected vertices (as last selected in Edit Mode) and a patch for it"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return poll_mesh(cls, context, _ANY_MODE)
+
+    def execute(self, context):
+        from ..blender import groups, meshes
+
+        obj = context.active_object
+        editing = obj.mode == "EDIT"
+        if editing:  # the mesh has the selection and takes weights only outside
+            bpy.ops.object.mode_set(mode="OBJECT")
+        try:
+            selected = meshes.selected_vertices(obj.data)
+            if selected.size:
+                _append(obj, groups.add_group(obj, "Patch", selected))
+        finally:
+            if editing:
+                bpy.ops.object.mode_set(mode="EDIT")
+        if not selected.size:
+            self.report({"ERROR"}, f"No vertex of '{obj.name}' is selected: select some in Edit Mode")
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class DIRICHLET_OT_patch_remove(bpy.types.Operator):
+    bl_idname = "dirichlet.patch_remove"
+    bl_label = "Remove Patch"
+    bl_description = "Remove the selected patch from the list; its vertex group stays"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return poll_mesh(cls, context) and _poll_patch(cls, context)
+
+    def execute(self, context):
+        settings = context.active_object.dirichlet
+        settings.patches.remove(settings.active_patch)
+        settings.active_patch = max(0, min(settings.active_patch, len(settings.patches) - 1))
+        return {"FINISHED"}
+
+
+class DIRICHLET_OT_patch_paint(bpy.types.Operator):
+    bl_idname = "dirichlet.patch_paint"
+    bl_label = "Paint Patch"
+    bl_description = "Go to Weight Paint mode with the vertex group of the selected patch active"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return poll_mesh(cls, context) and _poll_patch(cls, context)
+
+    def execute(self, context):
+        obj = context.active_object
+        group = obj.vertex_groups.get(obj.dirichlet.patches[obj.dirichlet.active_patch].group)
+        if group is None:
+            self.report({"ERROR"}, "The patch has no vertex group: pick one in its row of the list first")
+            return {"CANCELLED"}
+        obj.vertex_groups.active_index = group.index
+        bpy.ops.object.mode_set(mode="WEIGHT_PAINT")
+        return {"FINISHED"}
+
+
+class DIRICHLET_OT_patch_spread_values(bpy.types.Operator):
+    bl_idname = "dirichlet.patch_spread_values"
+    bl_label = "Spread Values"
+    bl_description = "Give the enabled patches evenly spaced values from 0 to 1, in the order of the list"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        if not poll_mesh(cls, context):
+            return False
+        if not any(patch.enabled for patch in context.active_object.dirichlet.patches):
+            cls.poll_message_set("Add a patch first")
+            return False
+        return True
+
+    def execute(self, context):
+        patches = [patch for patch in context.active_object.dirichlet.patches if patch.enabled]
+        for place, patch in enumerate(patches):
+            patch.value = place / max(len(patches) - 1, 1)
+        return {"FINISHED"}
+
+
+CLASSES = (
+    DIRICHLET_OT_patch_add_group,
+    DIRICHLET_OT_patch_add_selected,
+    DIRICHLET_OT_patch_remove,
+    DIRICHLET_OT_patch_paint,
+    DIRICHLET_OT_patch_spread_values,
+)
