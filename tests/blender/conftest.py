@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every test starts in an empty file, with the staged add-on registered."""
+
+import importlib
+import os
+import sys
+from pathlib import Path
+
+import bpy
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+STAGED = Path(os.environ.get("DIRICHLET_ADDON", ROOT / "build/release/addon/dirichlet_isolines"))
+if not (STAGED / "__init__.py").is_file():
+    pytest.exit(f"there is no add-on in {STAGED}: build it first, or name its folder in DIRICHLET_ADDON", returncode=2)
+sys.path.insert(0, str(STAGED.parent))
+
+
+@pytest.fixture(scope="session")
+def addon():
+    """The add-on's module, registered."""
+    module = importlib.import_module(STAGED.name)
+    module.register()
+    yield module
+    module.unregister()
+
+
+@pytest.fixture(scope="session")
+def surface(addon):
+    """The library as the add-on finds it."""
+    return importlib.import_module(f"{addon.__name__}.library").load()
+
+
+@pytest.fixture(scope="session")
+def pipeline(addon, surface):
+    return importlib.import_module(f"{addon.__name__}.blender.pipeline")
+
+
+@pytest.fixture(autouse=True)
+def _empty_file(addon):
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Objects to test on, how to paint them, and what can be seen of them."""
+
+import bmesh
+import bpy
+import numpy as np
+
+
+def grid(columns=12, rows=7, name="Grid"):
+    """A flat grid of quads, `columns` by `rows` vertices, vertex (x, y) at index x + columns * y."""
+    positions = [(x, y, 0.0) for y in range(rows) for x in range(columns)]
+    corner = [x + columns * y for y in range(rows - 1) for x in range(columns - 1)]
+    return add(positions, [(c, c + 1, c + columns + 1, c + columns) for c in corner], name)
+
+
+def painted_grid(columns=12, rows=7, name="Grid"):
+    """A grid painted 0 on its left column and 1 on its right."""
+    obj = grid(columns, rows, name)
+    paint(obj, "left", range(0, columns * rows, columns), 0.0)
+    paint(obj, "right", range(columns - 1, columns * rows, columns), 1.0)
+    return obj
+
+
+def painted_sphere(subdivisions=4, name="Sphere"):
+    """A closed surface, painted 0 near its lowest point and 1 near its highest."""
+    mesh = bpy.data.meshes.new(name)
+    editor = bmesh.new()
+    bmesh.ops.create_icosphere(editor, subdivisions=subdivisions, radius=1.0)
+    editor.to_mesh(mesh)
+    editor.free()
+    obj = link(mesh, name)
+    heights = np.array([vertex.co.z for vertex in mesh.vertices])
+    paint(obj, "bottom", np.flatnonzero(heights < -0.9), 0.0)
+    paint(obj, "top", np.flatnonzero(heights > 0.9), 1.0)
+    return obj
+
+
+def add(positions, faces, name="Mesh"):
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata(positions, [], faces)
+    return link(mesh, name)
+
+
+def link(mesh, name):
+    """A new object on the mesh, in the scene and active."""
+    obj = bpy.data.objects.new(name, mesh)
+    bpy.context.collection.objects.link(obj)
+    bpy.context.view_layer.objects.active = obj
+    obj.select_set(True)
+    return obj
+
+
+def paint(obj, group, vertices, value=0.0, weight=1.0):
+    """Assigns the vertices to a group, made and put into the list of patches if it is new; returns its patch."""
+    if group not in obj.vertex_groups:
+        obj.vertex_groups.new(name=group)
+    obj.vertex_groups[group].add([int(vertex) for vertex in vertices], weight, "REPLACE")
+    patch = next((patch for patch in obj.dirichlet.patches if patch.group == group), None)
+    if patch is None:
+        patch = obj.dirichlet.patches.add()
+        patch.group, patch.value = group, value
+    return patch
+
+
+def select(obj, vertices):
+    """These vertices alone, and no edge or face, so that Edit Mode keeps the selection."""
+    for items in (obj.data.edges, obj.data.polygons):
+        items.foreach_set("select", [False] * len(items))
+    for vertex in obj.data.vertices:
+        vertex.select = vertex.index in vertices
+
+
+def field_of(obj):
+    """dirichlet_field, (V,) float32"""
+    values = np.empty(len(obj.data.vertices), np.float32)
+    obj.data.attributes["dirichlet_field"].data.foreach_get("value", values)
+    return values
+
+
+def colors_of(obj):
+    """dirichlet_color, (V, 4) float32"""
+    colors = np.empty((len(obj.data.vertices), 4), np.float32)
+    obj.data.attributes["dirichlet_color"].data.foreach_get("color", colors.ravel())
+    return colors
+
+
+def library_mesh(surface, obj):
+    """The library's mesh, read without the add-on."""
+    faces = [tuple(polygon.vertices) for polygon in obj.data.polygons]
+    offsets = np.cumsum([0, *map(len, faces)])
+    return surface.Mesh([tuple(vertex.co) for vertex in obj.data.vertices], (offsets, np.concatenate(faces)))
+
+
+def data_counts():
+    """How many data-blocks of every kind the file has."""
+    kinds = (name for name in dir(bpy.data) if isinstance(getattr(bpy.data, name), bpy.types.bpy_prop_collection))
+    return {name: len(getattr(bpy.data, name)) for name in kinds}
+
+
+def state(obj):
+    """Everything that a refused operator must leave as it was."""
+    mesh = obj.data
+    return {
+        "data": data_counts(),
+        "attributes": {found.name: _values(found) for found in mesh.attributes if not found.name.startswith(".")},
+        "corners": [loop.vertex_index for loop in mesh.loops],
+        "groups": [group.name for group in obj.vertex_groups],
+        "weights": [[(g.group, repr(g.weight)) for g in vertex.groups] for vertex in mesh.vertices],
+        "slots": [(slot.link, slot.material) for slot in obj.material_slots],
+        "settings": _properties(obj.dirichlet),
+        "mode": obj.mode,
+        "children": [child.name for child in obj.children],
+        "active color": mesh.color_attributes.active_color_name,
+    }
+
+
+def _values(attribute):
+    """As text, since a NaN differs from itself."""
+    return [repr(getattr(item, name)) for item in attribute.data for name in ("value", "vector", "color") if
+            hasattr(item, name)]  # fmt: skip
+
+
+def _properties(group):
+    values = {}
+    for name in set(group.bl_rna.properties.keys()) - {"rna_type"}:
+        value = getattr(group, name)
+        if isinstance(value, bpy.types.PropertyGroup):
+            value = _properties(value)
+        elif isinstance(value, bpy.types.bpy_prop_collection):
+            value = [_properties(item) for item in value]
+        values[name] = value if isinstance(value, dict | list) else repr(value)
+    return values

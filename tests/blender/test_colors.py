@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The ramp that users edit, the colours through it, and other materials."""
+
+import importlib
+
+import bpy
+import numpy as np
+import pytest
+from scene import colors_of, field_of, painted_grid
+
+
+@pytest.fixture
+def material(addon):
+    return importlib.import_module(f"{addon.__name__}.blender.material")
+
+
+def solve():
+    assert bpy.ops.dirichlet.solve_field() == {"FINISHED"}
+
+
+def ramp_colors(ramp, places):
+    return np.array([ramp.evaluate(float(place)) for place in places], np.float32)
+
+
+def test_colors_are_the_ramp_at_the_field():
+    obj = painted_grid()
+    solve()
+    ramp = obj.material_slots[0].material.node_tree.nodes["Dirichlet Ramp"].color_ramp
+    assert np.allclose(colors_of(obj), ramp_colors(ramp, field_of(obj)), atol=2e-3)
+
+
+def test_ramp_spans_the_field_whatever_its_values(material):
+    obj = painted_grid()
+    obj.dirichlet.patches[0].value, obj.dirichlet.patches[1].value = -40.0, 60.0
+    solve()
+    ramp = material.find_ramp(obj).color_ramp
+    assert np.allclose(colors_of(obj), ramp_colors(ramp, (field_of(obj) + 40) / 100), atol=2e-3)
+
+
+@pytest.mark.parametrize("interpolation", ["CONSTANT", "LINEAR", "EASE", "B_SPLINE"])
+def test_edited_ramp_colors_the_attribute(material, interpolation):
+    obj = painted_grid()
+    solve()
+    ramp = material.find_ramp(obj).color_ramp
+    ramp.interpolation = interpolation
+    ramp.elements.new(0.3).color = (1, 0, 1, 1)
+    assert bpy.ops.dirichlet.update_colors() == {"FINISHED"}
+    assert np.allclose(colors_of(obj), ramp_colors(ramp, field_of(obj)), atol=2e-3)
+
+
+def test_solving_again_keeps_the_edited_ramp(material):
+    obj = painted_grid()
+    solve()
+    material.find_ramp(obj).color_ramp.elements[0].color = (1, 0, 1, 1)
+    solve()
+    assert np.allclose(colors_of(obj)[0], (1, 0, 1, 1))
+
+
+def test_constant_field_takes_the_middle_of_the_ramp(material):
+    obj = painted_grid()
+    obj.dirichlet.patches[0].value = 1.0
+    solve()
+    assert np.allclose(colors_of(obj), material.find_ramp(obj).color_ramp.evaluate(0.5), atol=2e-3)
+
+
+@pytest.mark.parametrize("preset", ["rainbow", "viridis", "grey", "red-blue"])
+def test_preset_replaces_the_stops_and_the_colors(addon, material, preset):
+    obj = painted_grid()
+    solve()
+    obj.dirichlet.ramp_preset = preset
+    stops = importlib.import_module(f"{addon.__name__}.library").load("ramps").RAMPS[preset]
+    shown = material.find_ramp(obj).color_ramp.elements
+    assert [stop.position for stop in shown] == pytest.approx([place for place, _ in stops])
+    assert np.allclose([tuple(stop.color)[:3] for stop in shown], [color for _, color in stops])
+    assert np.allclose(colors_of(obj)[0][:3], stops[0][1])
+
+
+def test_presets_are_the_library_ramps(addon):
+    ramps = importlib.import_module(f"{addon.__name__}.library").load("ramps").RAMPS
+    settings = bpy.types.Object.bl_rna.properties["dirichlet"].fixed_type
+    assert set(settings.properties["ramp_preset"].enum_items.keys()) == set(ramps)
+
+
+def test_preset_chosen_before_solving_is_used(material):
+    obj = painted_grid()
+    obj.dirichlet.ramp_preset = "grey"
+    solve()
+    assert len(set(material.find_ramp(obj).color_ramp.elements[0].color[:3])) == 1
+
+
+def test_color_attribute_is_active_for_display_and_render():
+    obj = painted_grid()
+    obj.data.attributes.new("other", "FLOAT_COLOR", "POINT")
+    solve()
+    colors = obj.data.color_attributes
+    assert colors.active_color_name == "dirichlet_color"
+    assert colors[colors.render_color_index].name == "dirichlet_color"
+
+
+def test_user_material_survives_on_the_mesh_and_comes_back():
+    obj = painted_grid()
+    users = [bpy.data.materials.new(name) for name in ("wood", "metal")]
+    for found in users:
+        obj.data.materials.append(found)
+    obj.data.polygons[3].material_index = 1
+    solve()
+    shown = {slot.material for slot in obj.material_slots}
+    assert len(shown) == 1
+    assert not shown & set(users)
+    assert list(obj.data.materials) == users
+    assert obj.data.polygons[3].material_index == 1
+    assert bpy.ops.dirichlet.restore_materials() == {"FINISHED"}
+    assert [slot.material for slot in obj.material_slots] == users
+
+
+def test_material_on_the_object_is_left_and_said(pipeline):
+    obj = painted_grid()
+    obj.data.materials.append(None)
+    own = bpy.data.materials.new("own")
+    obj.material_slots[0].link = "OBJECT"
+    obj.material_slots[0].material = own
+    result = pipeline.solve_field(obj)
+    assert obj.material_slots[0].material == own
+    assert any("'own'" in warning for warning in result.warnings)
+
+
+def test_empty_slot_takes_the_field_material(material):
+    obj = painted_grid()
+    obj.data.materials.append(None)
+    solve()
+    assert obj.material_slots[0].material == material.find(obj)
+    assert len(obj.material_slots) == 1
+
+
+def test_duplicated_object_gets_a_ramp_of_its_own(material):
+    obj = painted_grid()
+    solve()
+    bpy.ops.object.duplicate()
+    copy = bpy.context.active_object
+    copy.dirichlet.patches[1].value = 50.0
+    solve()
+    assert material.find(copy) != material.find(obj)
+    assert material.find(obj).node_tree.nodes["Dirichlet Range"].inputs["From Max"].default_value == 1
+
+
+def test_renamed_material_is_found_again():
+    obj = painted_grid()
+    solve()
+    obj.material_slots[0].material.name = "mine now"
+    solve()
+    assert len(bpy.data.materials) == 1

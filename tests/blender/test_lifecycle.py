@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Registering, saving, undoing: what a session does to the add-on and its data."""
+
+import importlib
+import json
+import os
+import subprocess
+
+import bpy
+import numpy as np
+import pytest
+from conftest import STAGED
+from scene import colors_of, data_counts, field_of, painted_sphere
+
+
+def registered():
+    return {name for name in dir(bpy.types) if "DIRICHLET" in name.upper()} | {
+        name for name in dir(bpy.types.Object) if "dirichlet" in name
+    }
+
+
+def snapshot():
+    """Field, colours and lines of the only mesh object."""
+    obj = next(obj for obj in bpy.data.objects if obj.type == "MESH")
+    curve = obj.dirichlet.isolines.data
+    points = [point.co[:] for spline in curve.splines for point in spline.points]
+    lines = [list(curve[name]) for name in ("dirichlet_level", "dirichlet_closed", "dirichlet_length")]
+    return field_of(obj).tolist(), colors_of(obj).tolist(), points, lines
+
+
+def run_both():
+    bpy.context.view_layer.objects.active = next(obj for obj in bpy.data.objects if obj.type == "MESH")
+    assert bpy.ops.dirichlet.solve_field("EXEC_DEFAULT", True) == {"FINISHED"}
+    assert bpy.ops.dirichlet.make_isolines("EXEC_DEFAULT", True) == {"FINISHED"}
+
+
+def test_unregistering_leaves_nothing_and_registering_again_works(addon):
+    before = registered()
+    assert "dirichlet" in before
+    for _ in range(2):
+        addon.unregister()
+        try:
+            assert registered() == set()
+            assert "dirichlet" not in dir(bpy.types.Object)
+            with pytest.raises(KeyError):
+                bpy.ops.dirichlet.solve_field.get_rna_type()
+        finally:
+            addon.register()
+    assert registered() == before
+
+
+def test_every_property_and_operator_explains_itself(addon):
+    ui = importlib.import_module(f"{addon.__name__}.ui")
+    for cls in ui._CLASSES:
+        rna = cls.bl_rna
+        if issubclass(cls, bpy.types.Operator):
+            rna = getattr(bpy.ops.dirichlet, cls.bl_idname.partition(".")[2]).get_rna_type()
+            assert len(rna.description) > 20, cls
+        if issubclass(cls, (bpy.types.Operator, bpy.types.PropertyGroup)):
+            own = [found for found in rna.properties if found.identifier not in ("rna_type", "name")]
+            assert [found.identifier for found in own if len(found.description) < 10] == []
+
+
+def test_saved_and_reloaded_file_holds_and_gives_the_same_result(tmp_path):
+    painted_sphere()
+    run_both()
+    before = snapshot()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "saved.blend"))
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "saved.blend"))
+    assert snapshot() == before
+    counts = data_counts()
+    run_both()
+    assert snapshot() == before
+    assert data_counts() == counts
+
+
+def test_both_operators_undo_and_redo():
+    painted_sphere()
+    bpy.ops.ed.undo_push(message="painted")
+    counts = data_counts()
+    run_both()
+    solved = snapshot()
+    bpy.ops.ed.undo()
+    obj = bpy.data.objects["Sphere"]
+    assert "dirichlet_field" in obj.data.attributes
+    assert obj.dirichlet.isolines is None
+    assert not bpy.data.curves
+    bpy.ops.ed.undo()
+    obj = bpy.data.objects["Sphere"]
+    assert "dirichlet_field" not in obj.data.attributes
+    assert "dirichlet_color" not in obj.data.attributes
+    assert not obj.material_slots
+    assert not obj.dirichlet.results.solved
+    assert data_counts() == counts
+    bpy.ops.ed.redo()
+    bpy.ops.ed.redo()
+    assert snapshot() == solved
+    run_both()
+    assert snapshot() == solved
+
+
+def test_values_survive_a_file_read_without_the_addon(addon, tmp_path):
+    painted_sphere()
+    run_both()
+    before = snapshot()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "saved.blend"))
+    addon.unregister()
+    try:
+        bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "saved.blend"))
+        bpy.ops.wm.save_mainfile()
+    finally:
+        addon.register()
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "saved.blend"))
+    assert snapshot() == before
+
+
+def test_enabling_imports_neither_numpy_nor_the_library():
+    script = (
+        "import sys, json, importlib; sys.path.insert(0, {folder!r}); importlib.import_module({name!r}).register();"
+        "print('MODULES', json.dumps([name for name in sys.modules if 'numpy' == name or 'dirichlet_surface' in name]))"
+    ).format(folder=str(STAGED.parent), name=STAGED.name)
+    run = run_blender(script)
+    assert json.loads(run.stdout.partition("MODULES")[2].splitlines()[0]) == []
+
+
+def test_without_the_library_the_sentence_says_what_was_expected_and_found(tmp_path):
+    folder = tmp_path / STAGED.name
+    folder.mkdir()
+    for part in ("__init__.py", "library.py", "blender", "ui"):
+        (folder / part).symlink_to(STAGED / part)
+    (folder / "dirichlet_surface").mkdir()
+    (folder / "dirichlet_surface" / "__init__.py").write_text("from . import _native\n")
+    (folder / "dirichlet_surface" / "_native.cpython-99-other.so").write_bytes(b"")
+    script = (
+        "import sys, bpy, importlib; sys.path.insert(0, {folder!r}); module = importlib.import_module({name!r});"
+        "module.register(); obj = bpy.context.active_object; obj.vertex_groups.new(name='a').add([0], 1, 'REPLACE');"
+        "bpy.ops.dirichlet.patch_add_group()\n"
+        "try: bpy.ops.dirichlet.solve_field()\n"
+        "except RuntimeError as error: print('SENTENCE', str(error).strip())\n"
+        "print('FAILURE', sys.modules[module.__name__ + '.library'].failure()); obj.dirichlet.ramp_preset = 'grey'"
+    ).format(folder=str(tmp_path), name=STAGED.name)
+    run = run_blender(script)
+    sentence = run.stdout.partition("SENTENCE")[2].splitlines()[0]
+    assert "expected _native" in sentence
+    assert "found _native.cpython-99-other.so" in sentence
+    assert run.stdout.partition("FAILURE")[2].splitlines()[0].strip() in sentence
+    assert "Traceback" not in run.stdout + run.stderr
+
+
+def test_field_is_finite_in_the_range_of_the_paint():
+    obj = painted_sphere()
+    run_both()
+    values = field_of(obj)
+    assert np.isfinite(values).all()
+    assert (values.min(), values.max()) == (0, 1)
+
+
+def run_blender(script):
+    """A new Blender with factory settings and its default scene runs the script and ends."""
+    command = [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1", "--python-expr"]
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    run = subprocess.run([*command, script], capture_output=True, text=True, env=environment, timeout=120, check=False)
+    assert run.returncode == 0, run.stdout + run.stderr
+    return run
