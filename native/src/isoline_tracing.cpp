@@ -2,12 +2,16 @@
 #include "isoline_tracing.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
 #include <mutex>
 #include <numeric>
 
 #include "dirichlet/error.h"
 #include "message.h"
 #include "parallel.h"
+#include "polygon_opposite.h"
 
 namespace dirichlet {
 namespace {
@@ -23,30 +27,37 @@ Range level_range(std::span<const Index> corners, std::span<const Index> numbers
   return {std::min(a, std::min(b, c)), std::max(a, std::max(b, c))};
 }
 
-/// The triangles that any level crosses, ascending. Without a branch, which one triangle in ten would mispredict.
-std::vector<Index> active_triangles(std::span<const Index> corners, std::span<const Index> numbers) {
-  const std::size_t count = corners.size() / 3;
-  std::vector<Index> active(count);
-  std::vector<std::pair<std::size_t, std::size_t>> pieces; // where a thread's triangles start, and how many there are
-  std::mutex mutex;
-  parallel_chunks(count, std::size_t{1} << 16, [&](std::size_t begin, std::size_t end) {
-    std::size_t next = begin;
-    for (std::size_t f = begin; f < end; ++f) {
-      const auto [low, high] = level_range(corners, numbers, f);
-      active[next] = static_cast<Index>(f);
-      next += static_cast<std::size_t>(static_cast<int>(low != high) & static_cast<int>(low != kUndefined));
+/// Adds the triangles of [begin, end) that any level crosses. Without a branch, which one triangle in ten would
+/// mispredict: each is written down, and the next overwrites those that do not count.
+void add_active(std::span<const Index> corners, std::span<const Index> numbers, std::size_t begin, std::size_t end,
+                std::vector<Index>& active) {
+  std::array<Index, 1024> block; // NOLINT(cppcoreguidelines-pro-type-member-init): written before it is read
+  while (begin < end) {
+    const std::size_t stop = std::min(end, begin + block.size());
+    std::size_t count = 0;
+    for (; begin < stop; ++begin) {
+      const auto [low, high] = level_range(corners, numbers, begin);
+      block[count] = static_cast<Index>(begin);
+      count += static_cast<std::size_t>(static_cast<int>(low != high) & static_cast<int>(low != kUndefined));
     }
-    const std::scoped_lock lock(mutex);
-    pieces.emplace_back(begin, next - begin);
-  });
-  std::sort(pieces.begin(), pieces.end());
-  auto out = active.begin();
-  for (const auto& [begin, size] : pieces) {
-    const auto from = active.begin() + static_cast<std::ptrdiff_t>(begin);
-    out = std::copy(from, from + static_cast<std::ptrdiff_t>(size), out);
+    active.insert(active.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count));
   }
-  active.erase(out, active.end());
-  return active;
+}
+
+/// The triangles that any level crosses, ascending.
+std::vector<Index> active_triangles(std::span<const Index> corners, std::span<const Index> numbers) {
+  std::map<std::size_t, std::vector<Index>> pieces; // by where they begin
+  std::mutex mutex;
+  parallel_chunks(corners.size() / 3, std::size_t{1} << 16, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> active;
+    add_active(corners, numbers, begin, end, active);
+    const std::scoped_lock lock(mutex);
+    pieces.emplace(begin, std::move(active));
+  });
+  std::vector<Index> all = std::move(pieces.begin()->second);
+  for (auto piece = std::next(pieces.begin()); piece != pieces.end(); ++piece)
+    all.insert(all.end(), piece->second.begin(), piece->second.end());
+  return all;
 }
 
 } // namespace
@@ -77,9 +88,9 @@ Crossings find_crossings(std::span<const Index> corners, std::span<const Index> 
   return crossings;
 }
 
-LineTracer::LineTracer(const Mesh& triangles, std::span<const Index> numbers)
-    : corners_(triangles.corners()), opposite_(triangles.connectivity().opposite), numbers_(numbers),
-      mark_(corners_.size() / 3, -1) {}
+LineTracer::LineTracer(const Mesh& mesh, std::span<const Index> numbers)
+    : mesh_(mesh), corners_(mesh.triangulated().corners()), opposite_(mesh.triangulated().connectivity().opposite),
+      numbers_(numbers), mark_(corners_.size() / 3, -1) {}
 
 bool LineTracer::trace(Index triangle, Index level, std::vector<Index>& half_edges) {
   half_edges.clear();
@@ -95,16 +106,22 @@ bool LineTracer::trace(Index triangle, Index level, std::vector<Index>& half_edg
   return false;
 }
 
+Index LineTracer::across(Index half_edge) const {
+  const Index other = opposite_[at(half_edge)];
+  const bool ambiguous = other == Connectivity::kNonManifold && !mesh_.is_triangular();
+  return ambiguous ? opposite_in_polygons(mesh_, half_edge) : other;
+}
+
 /// Leaves a triangle through `half_edge` and goes on. What counts is which edges are crossed, not which way half-edges
 /// point, so a turned-over neighbour is no obstacle. \returns whether the line came back to where it began.
 bool LineTracer::walk(Index half_edge, Index level, std::vector<Index>& half_edges) {
   while (true) {
     half_edges.push_back(half_edge);
-    const Index across = opposite_[at(half_edge)];
-    if (across < 0) return false;
-    const Index triangle = across / 3;
+    const Index other = across(half_edge);
+    if (other < 0) return false;
+    const Index triangle = other / 3;
     if (visited(triangle, level)) return true;
-    const Index head = next(across), apex = next(head);
+    const Index head = next(other), apex = next(head);
     if (number(apex) == kUndefined) return false;
     mark_[at(triangle)] = level;
     half_edge = (number(apex) > level) != (number(head) > level) ? head : apex;

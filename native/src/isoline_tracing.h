@@ -25,7 +25,8 @@ Crossings find_crossings(std::span<const Index> corners, std::span<const Index> 
 /// Follows lines from triangle to triangle. Each thread has one of its own, for the marks.
 class LineTracer {
  public:
-  LineTracer(const Mesh& triangles, std::span<const Index> numbers);
+  /// Walks over mesh.triangulated().
+  LineTracer(const Mesh& mesh, std::span<const Index> numbers);
 
   /// Whether a line of `level` has come through here; asked for while no other level has been traced since.
   [[nodiscard]] bool visited(Index triangle, Index level) const { return mark_[at(triangle)] == level; }
@@ -38,8 +39,10 @@ class LineTracer {
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
   [[nodiscard]] Index number(Index corner) const { return numbers_[at(corners_[at(corner)])]; }
+  [[nodiscard]] Index across(Index half_edge) const;
   bool walk(Index half_edge, Index level, std::vector<Index>& half_edges);
 
+  const Mesh& mesh_;
   std::span<const Index> corners_;
   std::span<const Index> opposite_;
   std::span<const Index> numbers_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <mutex>
 #include <numeric>
 
@@ -113,10 +115,12 @@ class LineBuilder {
   Isolines take() { return std::move(lines_); }
 
  private:
-  /// Takes away points at the end that coincide with the first. \returns the length of the closing segment.
+  /// Takes away a last point that is the first one again. \returns by how much the line gets longer.
   double close(std::size_t begin) {
-    while (lines_.t.size() > begin + 1 && point(lines_.t.size() - 1) == point(begin)) resize(lines_.t.size() - 1);
-    return distance(point(lines_.t.size() - 1), point(begin));
+    const std::size_t last = lines_.t.size() - 1;
+    const double length = distance(point(last), point(begin));
+    if (last > begin && point(last) == point(begin)) resize(last);
+    return length;
   }
 
   /// Computed from the edge, smaller vertex first, so that both its triangles have the same point bit for bit;
@@ -194,12 +198,12 @@ Isolines extract_isolines(const Mesh& mesh, std::span<const double> field, std::
   const Crossings crossings = find_crossings(triangles.corners(), numbers, static_cast<Index>(level_count));
 
   const std::vector<Index> order = callers_order(sorted);
-  std::vector<std::pair<std::size_t, Isolines>> pieces; // by the place in `order` where they begin
+  std::map<std::size_t, Isolines> pieces; // by the place in `order` where they begin
   std::mutex mutex;
   constexpr std::size_t kCrossings = 1 << 13; // what a thread and its marks are worth
   const std::size_t grain = level_count * kCrossings / std::max<std::size_t>(1, crossings.triangles.size()) + 1;
   parallel_chunks(level_count, grain, [&](std::size_t begin, std::size_t end) {
-    LineTracer tracer(triangles, numbers);
+    LineTracer tracer(mesh, numbers);
     LineBuilder builder(triangles, field);
     std::vector<Index> half_edges;
     for (std::size_t i = begin; i < end; ++i) {
@@ -213,11 +217,10 @@ Isolines extract_isolines(const Mesh& mesh, std::span<const double> field, std::
       }
     }
     const std::scoped_lock lock(mutex);
-    pieces.emplace_back(begin, builder.take());
+    pieces.emplace(begin, builder.take());
   });
-  std::sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  Isolines lines = std::move(pieces.front().second);
-  for (std::size_t i = 1; i < pieces.size(); ++i) append(lines, pieces[i].second);
+  Isolines lines = std::move(pieces.begin()->second);
+  for (auto piece = std::next(pieces.begin()); piece != pieces.end(); ++piece) append(lines, piece->second);
   return lines;
 }
 

@@ -2,9 +2,11 @@
 // The meshes that tests and benchmarks are made of; closed forms where a law needs one.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "dirichlet/mesh.h"
@@ -103,6 +105,59 @@ inline PolygonSoup moebius(Index n) {
   }
   for (Index i = 0; i + 1 < n; ++i) soup.faces.push_back({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
   soup.faces.push_back({2 * n - 2, 1, 0, 2 * n - 1});
+  return soup;
+}
+
+/// A closed surface without an outside, nu × nv quads: a torus whose seam is joined upside down.
+inline PolygonSoup klein_bottle(Index nu, Index nv) {
+  PolygonSoup soup;
+  for (Index j = 0; j < nv; ++j)
+    for (Index i = 0; i < nu; ++i) {
+      const double u = 2 * std::numbers::pi * j / nv, v = 2 * std::numbers::pi * i / nu;
+      const double r = 2 + std::cos(u / 2) * std::sin(v) - std::sin(u / 2) * std::sin(2 * v);
+      soup.positions.insert(soup.positions.end(), {r * std::cos(u), r * std::sin(u),
+                                                   std::sin(u / 2) * std::sin(v) + std::cos(u / 2) * std::sin(2 * v)});
+    }
+  const auto at = [&](Index i, Index j) { return j < nv ? i % nu + j * nu : (2 * nu - i) % nu; };
+  for (Index j = 0; j < nv; ++j)
+    for (Index i = 0; i < nu; ++i) soup.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+  return soup;
+}
+
+/// Pages of n quads each around the spine x = y = 0: every spine edge has as many faces as there are pages. Vertices
+/// 0 … n are the spine, from z = 0 to z = n.
+inline PolygonSoup book(Index pages, Index n) {
+  PolygonSoup soup;
+  for (Index page = -1; page < pages; ++page)
+    for (Index k = 0; k <= n; ++k) {
+      const double angle = 2 * std::numbers::pi * page / pages, r = page < 0 ? 0 : 1;
+      soup.positions.insert(soup.positions.end(), {r * std::cos(angle), r * std::sin(angle), static_cast<double>(k)});
+    }
+  for (Index page = 0; page < pages; ++page)
+    for (Index k = 0; k < n; ++k) {
+      const Index outside = (page + 1) * (n + 1) + k;
+      soup.faces.push_back({k, outside, outside + 1, k + 1});
+    }
+  return soup;
+}
+
+/// The same surface many times over, piece after piece.
+inline PolygonSoup copies(const PolygonSoup& soup, Index count) {
+  PolygonSoup all;
+  for (Index k = 0; k < count; ++k) {
+    const auto shift = static_cast<Index>(all.positions.size() / 3);
+    all.positions.insert(all.positions.end(), soup.positions.begin(), soup.positions.end());
+    for (auto face : soup.faces) {
+      for (Index& v : face) v += shift;
+      all.faces.push_back(std::move(face));
+    }
+  }
+  return all;
+}
+
+/// Turns over every `step`-th face.
+inline PolygonSoup turned_over(PolygonSoup soup, std::size_t step = 1) {
+  for (std::size_t f = 0; f < soup.faces.size(); f += step) std::reverse(soup.faces[f].begin(), soup.faces[f].end());
   return soup;
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dirichlet/mesh.h"
+
+namespace dirichlet {
+
+/// The other half-edge, in mesh.triangulated(), of the polygon side or diagonal that `half_edge` is part of; or kBorder
+/// or kNonManifold. The triangulated mesh cannot tell where a diagonal joins the same two vertices as an edge or as
+/// another diagonal (two quads that share three vertices): it sees one edge with many triangles.
+/// Cost: O(log F + corners of the polygons).
+Index opposite_in_polygons(const Mesh& mesh, Index half_edge);
+
+} // namespace dirichlet

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds for isolines of any field on any surface, and shorthands to look at them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "dirichlet/isolines.h"
+
+namespace dirichlet {
+
+using Point = std::array<double, 3>;
+
+inline std::size_t at(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+inline Point position(const Mesh& mesh, Index v) {
+  const double* p = mesh.positions().data() + 3 * at(v);
+  return {p[0], p[1], p[2]};
+}
+
+inline Point point(const Isolines& lines, std::size_t p) {
+  return {lines.points[3 * p], lines.points[3 * p + 1], lines.points[3 * p + 2]};
+}
+
+inline double distance(const Point& a, const Point& b) {
+  return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
+inline std::size_t line_count(const Isolines& lines) {
+  return lines.closed.size();
+}
+
+/// The points of line l.
+inline std::vector<Point> line(const Isolines& lines, std::size_t l) {
+  std::vector<Point> points;
+  for (auto p = at(lines.offsets[l]); p < at(lines.offsets[l + 1]); ++p) points.push_back(point(lines, p));
+  return points;
+}
+
+inline bool all_closed(const Isolines& lines) {
+  return std::all_of(lines.closed.begin(), lines.closed.end(), [](std::uint8_t closed) { return closed == 1; });
+}
+
+/// f(x, y, z) at every vertex.
+template <class Function>
+std::vector<double> sample(const Mesh& mesh, Function f) {
+  std::vector<double> values;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Point p = position(mesh, v);
+    values.push_back(f(p[0], p[1], p[2]));
+  }
+  return values;
+}
+
+/// Whole numbers from 0 to `highest`, so that levels fall on vertices, edges and plateaus all the time.
+inline std::vector<double> random_whole_numbers(const Mesh& mesh, int highest, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<int> number(0, highest);
+  return sample(mesh, [&](double, double, double) { return number(random); });
+}
+
+inline std::vector<double> random_numbers(const Mesh& mesh, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(0, 1);
+  return sample(mesh, [&](double, double, double) { return number(random); });
+}
+
+/// Arrays fit together, and every line has two or more points and a level.
+inline void expect_consistent_arrays(const Isolines& lines, std::size_t level_count) {
+  const std::size_t count = line_count(lines), points = lines.t.size();
+  ASSERT_EQ(lines.points.size(), 3 * points);
+  ASSERT_EQ(lines.edges.size(), 2 * points);
+  ASSERT_EQ(lines.offsets.size(), count + 1);
+  ASSERT_EQ(lines.level.size(), count);
+  ASSERT_EQ(lines.length.size(), count);
+  EXPECT_EQ(lines.offsets.front(), 0);
+  EXPECT_EQ(at(lines.offsets.back()), points);
+  EXPECT_TRUE(std::is_sorted(lines.level.begin(), lines.level.end()));
+  for (std::size_t l = 0; l < count; ++l) {
+    EXPECT_GE(lines.offsets[l + 1] - lines.offsets[l], 2);
+    EXPECT_LT(at(lines.level[l]), level_count);
+  }
+}
+
+/// Every point lies at t on an edge that its level crosses.
+inline void expect_points_on_edges(const Mesh& mesh, const Isolines& lines, const std::vector<double>& field,
+                                   const std::vector<double>& levels) {
+  for (std::size_t l = 0; l < line_count(lines); ++l)
+    for (auto p = at(lines.offsets[l]); p < at(lines.offsets[l + 1]); ++p) {
+      const Index a = lines.edges[2 * p], b = lines.edges[2 * p + 1];
+      const double level = levels[at(lines.level[l])], t = lines.t[p];
+      ASSERT_LT(a, b);
+      EXPECT_NE(field[at(a)] >= level, field[at(b)] >= level);
+      EXPECT_TRUE(t >= 0 && t <= 1);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_EQ(lines.points[3 * p + axis], std::lerp(position(mesh, a)[axis], position(mesh, b)[axis], t));
+    }
+}
+
+/// No segment of length 0, and lengths are the sums of segments.
+inline void expect_real_segments(const Isolines& lines) {
+  for (std::size_t l = 0; l < line_count(lines); ++l) {
+    const auto points = line(lines, l);
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < points.size() + lines.closed[l]; ++i) {
+      const Point& next = points[(i + 1) % points.size()];
+      EXPECT_NE(points[i], next);
+      length += distance(points[i], next);
+    }
+    EXPECT_GT(lines.length[l], 0);
+    EXPECT_NEAR(lines.length[l], length, 1e-13 * length);
+  }
+}
+
+inline void expect_lawful(const Mesh& mesh, const Isolines& lines, const std::vector<double>& field,
+                          const std::vector<double>& levels) {
+  expect_consistent_arrays(lines, levels.size());
+  expect_points_on_edges(mesh, lines, field, levels);
+  expect_real_segments(lines);
+}
+
+} // namespace dirichlet
