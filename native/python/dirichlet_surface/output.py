@@ -24,8 +24,12 @@ EXACT = "%.17g"  # reads back as the same float64
 def write_all(files: Sequence[tuple[Path, Callable[[Path], None]]]) -> None:
     """Calls every writer with a path beside its target and, when all are through, renames them into place.
 
-    Raises InputError naming the target that cannot be written; then no target has been touched.
+    Raises InputError naming the target that cannot be written, or that two files share; then no target is touched.
     """
+    places = [target.resolve() for target, _ in files]
+    for number, (target, _) in enumerate(files):
+        if places[number] in places[:number]:
+            raise InputError(f"two outputs go to '{target}'")
     beside = [target.with_name(f".{os.getpid()}-{number}-{target.name}") for number, (target, _) in enumerate(files)]
     target = Path()
     try:
