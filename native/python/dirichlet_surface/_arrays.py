@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What callers pass, as the exact arrays the compiled module takes; without a copy where type and layout already fit."""
+"""What callers pass, as the exact arrays the compiled module takes; no copy where type and layout already fit."""
 
 from typing import Any
 

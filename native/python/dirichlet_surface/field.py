@@ -99,7 +99,7 @@ class HarmonicSolver:
                 raise InputError(f"there is no {what} {name!r}; choose from: {', '.join(kinds)}")
         painted = as_indices(vertices, "painted vertices")
         require_shape(painted, (None,), "painted vertices")
-        self._choice = {"laplacian": laplacian, "method": method}
+        self._choice: dict[str, Any] = {"laplacian": laplacian, "method": method}
         self._native = _native.HarmonicSolver(mesh, painted, method == "direct", tolerance, max_iterations)
         self._report: SolveReport | None = None
 

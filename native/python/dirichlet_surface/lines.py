@@ -51,8 +51,8 @@ def isolines(mesh: Mesh, values: ArrayLike, levels: ArrayLike) -> Isolines:
     border or at an edge of three or more faces; a plateau at the level lies above, the line runs along its rim.
     Triangles with a NaN carry no line. Of equal levels the first carries the lines; polygons are triangulated.
 
-    Raises InputError (lengths, a level that is not finite, an infinite value) or TopologyError (a polygon that cannot be
-    triangulated). Cost: O(V log K + F + output). Releases the GIL.
+    Raises InputError (lengths, a level that is not finite, an infinite value) or TopologyError (a polygon that has no
+    triangulation). Cost: O(V log K + F + output). Releases the GIL.
     """
     field = as_reals(values, "field values")
     require_shape(field, (mesh.vertex_count,), "field values")
