@@ -142,6 +142,13 @@ def test_a_truncated_file_is_refused(tmp_path, ending):
         refusal(written(tmp_path, f"cut{ending}", content[: int(share * len(content))]))
 
 
+def test_a_file_of_the_wrong_byte_order_is_refused(tmp_path):
+    write_mesh(tmp_path / "fine.ply", sphere(5, 7).mesh())
+    content = (tmp_path / "fine.ply").read_bytes()
+    assert content.count(b"binary_little_endian") == 1
+    refusal(written(tmp_path, "swapped.ply", content.replace(b"binary_little_endian", b"binary_big_endian")))
+
+
 def test_a_refused_write_leaves_what_was_there(tmp_path):
     path = written(tmp_path, "mesh.off", "precious")
     with pytest.raises(DirichletError):
