@@ -26,7 +26,7 @@ def require_names(obj: bpy.types.Object) -> None:
             what = f"a {found.data_type} attribute per {found.domain}"
         else:
             continue
-        raise library.load().InputError(f"'{name}' of mesh '{mesh.name}' is {what}: rename it, the field needs the name")
+        raise library.load().InputError(f"'{name}' of mesh '{mesh.name}' is {what}: rename it, the name is needed")
 
 
 def write(mesh: bpy.types.Mesh, values: NDArray[np.float64], colors: NDArray[np.float32]) -> None:

@@ -29,9 +29,7 @@ def read_positions(mesh: bpy.types.Mesh) -> NDArray[np.float64]:
 
 def read_polygons(mesh: bpy.types.Mesh) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
     """Offsets (F + 1,) and corners (C,)."""
-    corners, starts, sizes = (
-        np.empty(len(items), np.uint32) for items in (mesh.loops, mesh.polygons, mesh.polygons)
-    )
+    corners, starts, sizes = (np.empty(len(items), np.uint32) for items in (mesh.loops, mesh.polygons, mesh.polygons))
     mesh.loops.foreach_get("vertex_index", corners)
     mesh.polygons.foreach_get("loop_start", starts)
     mesh.polygons.foreach_get("loop_total", sizes)

@@ -41,10 +41,15 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
         column.operator("dirichlet.patch_remove", text="", icon="REMOVE")
         column.separator()
         column.operator("dirichlet.patch_paint", text="", icon="BRUSH_DATA")
-        row = layout.row(align=True)
-        row.operator("dirichlet.patch_add_selected", text="From Selected", icon="RESTRICT_SELECT_OFF")
-        row.operator("dirichlet.patch_spread_values", icon="ARROW_LEFTRIGHT")
+        column = layout.column(align=True)
+        column.operator("dirichlet.patch_add_selected", icon="RESTRICT_SELECT_OFF")
+        column.operator("dirichlet.patch_spread_values", icon="ARROW_LEFTRIGHT")
         column = _properties(layout)
+        if 0 <= settings.active_patch < len(settings.patches):
+            patch = settings.patches[settings.active_patch]
+            column.prop_search(patch, "group", obj, "vertex_groups", text="Group")
+            column.prop(patch, "weights_as_values", text="From Weights")
+            column.separator()
         column.prop(settings, "threshold", slider=True)
         column.prop(settings, "overlap")
 
@@ -65,6 +70,9 @@ class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
         if not ramp:
             return
         layout.template_color_ramp(ramp, "color_ramp", expand=True)
+        window = layout.column(align=True)
+        window.prop(settings, "window_low_place", slider=True)
+        window.prop(settings, "window_high_place", slider=True)
         layout.operator("dirichlet.update_colors", icon="FILE_REFRESH")
         if material.hides_others(obj):
             layout.operator("dirichlet.restore_materials", icon="LOOP_BACK")
@@ -79,30 +87,18 @@ class DIRICHLET_PT_isolines(_Panel, bpy.types.Panel):
         row.scale_y = 1.4
         row.operator("dirichlet.make_isolines", icon="CURVE_DATA")
         layout.row().prop(settings, "levels_mode", expand=True)
+        column = _properties(layout)
         if settings.levels_mode == "LIST":
-            _properties(layout).prop(settings, "levels_list")
+            column.prop(settings, "levels_list")
         else:
-            self._draw_window(layout, context.active_object)
-            column = _properties(layout)
             for name in ("count",) if settings.levels_mode == "EVEN" else ("step", "phase"):
                 column.prop(settings, name)
-        _properties(layout).prop(settings, "bevel_depth")
-
-    def _draw_window(self, layout: bpy.types.UILayout, obj: bpy.types.Object) -> None:
-        """The ramp, and the window's ends as sliders that stand below it."""
-        settings, ramp = obj.dirichlet, material.find_ramp(obj)
-        box = layout.column(align=True)
-        row = box.row(align=True)
-        row.label(text=f"Window in {settings.results.minimum:.4g} to {settings.results.maximum:.4g}")
-        row.prop(settings, "window_auto", toggle=True)
-        if ramp:
-            box.template_color_ramp(ramp, "color_ramp", expand=False)
-        box.prop(settings, "window_low_place", slider=True)
-        box.prop(settings, "window_high_place", slider=True)
-        row = box.row(align=True)
-        row.active = not settings.window_auto
-        row.prop(settings, "window_low")
-        row.prop(settings, "window_high")
+            column.prop(settings, "window_auto")
+            window = column.column(align=True)
+            window.active = not settings.window_auto
+            window.prop(settings, "window_low")
+            window.prop(settings, "window_high")
+        column.prop(settings, "bevel_depth")
 
 
 class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
@@ -119,7 +115,8 @@ class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
             ("Solver", f"{results.solver_ms:.2f} ms"),
             ("Isolines", f"{results.isolines_ms:.2f} ms" if results.extracted else "not made yet"),
             ("Vertices", f"{results.vertices:,}"),
-            ("Painted / unknowns", f"{results.painted:,} / {results.unknowns:,}"),
+            ("Painted", f"{results.painted:,}"),
+            ("Unknowns", f"{results.unknowns:,}"),
             ("Residual", f"{results.residual:.1e}"),
             ("Field", f"{results.minimum:.6g} to {results.maximum:.6g}"),
         ]

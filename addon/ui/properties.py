@@ -108,7 +108,7 @@ class DirichletSettings(bpy.types.PropertyGroup):
         update=callbacks.window_high_changed,
     )
     window_low_place: FloatProperty(
-        name="Low",
+        name="Window Low",
         description="Where the window's lower end stands on the ramp above: 0 is its left end, 1 its right end",
         subtype="FACTOR",
         min=0.0,
@@ -117,7 +117,7 @@ class DirichletSettings(bpy.types.PropertyGroup):
         set=callbacks.set_window_low_place,
     )
     window_high_place: FloatProperty(
-        name="High",
+        name="Window High",
         description="Where the window's upper end stands on the ramp above: 0 is its left end, 1 its right end",
         subtype="FACTOR",
         min=0.0,

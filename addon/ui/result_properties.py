@@ -32,6 +32,4 @@ class DirichletResults(bpy.types.PropertyGroup):
     levels: IntProperty(name="Levels", description="Levels asked for")
     lines: IntProperty(name="Lines", description="Connected isolines")
     closed: IntProperty(name="Closed", description="Isolines that close; the others end on a border")
-    isoline_warnings: StringProperty(
-        name="Isoline Warnings", description="Warnings of the last isolines, one a line"
-    )
+    isoline_warnings: StringProperty(name="Isoline Warnings", description="Warnings of the last isolines, one a line")

@@ -6,7 +6,7 @@ import importlib
 import bpy
 import numpy as np
 import pytest
-from scene import colors_of, field_of, painted_grid
+from scene import add, colors_of, field_of, paint, painted_grid
 
 
 @pytest.fixture
@@ -149,3 +149,36 @@ def test_renamed_material_is_found_again():
     obj.material_slots[0].material.name = "mine now"
     solve()
     assert len(bpy.data.materials) == 1
+
+
+def test_rendered_material_shows_the_ramp_and_grey_where_undefined(tmp_path):
+    corners = [(x, y, 0.0) for x in (0, 1, 2, 3) for y in (0, 1)]
+    obj = add(corners, [(0, 2, 3, 1), (4, 6, 7, 5)])
+    paint(obj, "a", [0, 1], 0.0)
+    paint(obj, "b", [2, 3], 1.0)
+    solve()
+    left, middle, right, undefined = render_from_above(tmp_path / "picture.png", [0.05, 0.5, 0.95, 2.5])
+    assert left.argmax() == 2
+    assert middle.argmax() == 1
+    assert right.argmax() == 0
+    assert np.ptp(undefined) < 0.02
+    assert 0.2 < undefined.mean() < 0.8
+
+
+def render_from_above(file, places):
+    """RGB at points (x, 0.5) of a plane that fills x in [0, 3], rendered in an even light."""
+    scene = bpy.context.scene
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    camera.data.type, camera.data.ortho_scale = "ORTHO", 3
+    camera.location = (1.5, 0.5, 5)
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    scene.world = bpy.data.worlds.new("world")
+    scene.world.color = (1, 1, 1)
+    scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = "CYCLES", 16, False
+    scene.render.resolution_x, scene.render.resolution_y = 60, 20
+    scene.view_settings.view_transform = "Standard"
+    scene.render.filepath = str(file)
+    bpy.ops.render.render(write_still=True)
+    pixels = np.array(bpy.data.images.load(str(file)).pixels[:]).reshape(20, 60, 4)
+    return [pixels[8:12, int(20 * x), :3].mean(axis=0) for x in places]

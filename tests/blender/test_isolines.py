@@ -226,7 +226,7 @@ def test_results_count_closed_and_open_lines(sphere, sheet):
 def test_points_that_coincide_in_float32_are_one(addon):
     curves = importlib.import_module(f"{addon.__name__}.blender.curves")
     step = 1e-12
-    rows = [0, step, 1, 2, 2 + step] + [0, 1, 2, step] + [3, 3 + step] + [5, 6]
+    rows = [0, step, 1, 2, 2 + step, 0, 1, 2, step, 3, 3 + step, 5, 6]
     lines = SimpleNamespace(
         points=np.array([(1 + x, 0.0, 0.0) for x in rows]),
         offsets=np.array([0, 5, 9, 11, 13]),

@@ -116,11 +116,12 @@ def test_values_survive_a_file_read_without_the_addon(addon, tmp_path):
 
 
 def test_enabling_imports_neither_numpy_nor_the_library():
-    script = (
-        "import sys, json, importlib; sys.path.insert(0, {folder!r}); importlib.import_module({name!r}).register();"
-        "print('MODULES', json.dumps([name for name in sys.modules if 'numpy' == name or 'dirichlet_surface' in name]))"
-    ).format(folder=str(STAGED.parent), name=STAGED.name)
-    run = run_blender(script)
+    run = run_blender(f"""
+import importlib, json, sys
+sys.path.insert(0, {str(STAGED.parent)!r})
+importlib.import_module({STAGED.name!r}).register()
+print("MODULES", json.dumps([name for name in sys.modules if name == "numpy" or "dirichlet_surface" in name]))
+""")
     assert json.loads(run.stdout.partition("MODULES")[2].splitlines()[0]) == []
 
 
@@ -132,15 +133,21 @@ def test_without_the_library_the_sentence_says_what_was_expected_and_found(tmp_p
     (folder / "dirichlet_surface").mkdir()
     (folder / "dirichlet_surface" / "__init__.py").write_text("from . import _native\n")
     (folder / "dirichlet_surface" / "_native.cpython-99-other.so").write_bytes(b"")
-    script = (
-        "import sys, bpy, importlib; sys.path.insert(0, {folder!r}); module = importlib.import_module({name!r});"
-        "module.register(); obj = bpy.context.active_object; obj.vertex_groups.new(name='a').add([0], 1, 'REPLACE');"
-        "bpy.ops.dirichlet.patch_add_group()\n"
-        "try: bpy.ops.dirichlet.solve_field()\n"
-        "except RuntimeError as error: print('SENTENCE', str(error).strip())\n"
-        "print('FAILURE', sys.modules[module.__name__ + '.library'].failure()); obj.dirichlet.ramp_preset = 'grey'"
-    ).format(folder=str(tmp_path), name=STAGED.name)
-    run = run_blender(script)
+    run = run_blender(f"""
+import bpy, importlib, sys
+sys.path.insert(0, {str(tmp_path)!r})
+addon = importlib.import_module({STAGED.name!r})
+addon.register()
+obj = bpy.context.active_object
+obj.vertex_groups.new(name="a")
+bpy.ops.dirichlet.patch_add_group()
+try:
+    bpy.ops.dirichlet.solve_field()
+except RuntimeError as error:
+    print("SENTENCE", str(error).strip())
+print("FAILURE", sys.modules[addon.__name__ + ".library"].failure())
+obj.dirichlet.ramp_preset = "grey"
+""")
     sentence = run.stdout.partition("SENTENCE")[2].splitlines()[0]
     assert "expected _native" in sentence
     assert "found _native.cpython-99-other.so" in sentence

@@ -13,7 +13,9 @@ def rows(obj):
 
 def members(obj, name):
     index = obj.vertex_groups[name].index
-    return [vertex.index for vertex in obj.data.vertices if any(g.group == index and g.weight == 1 for g in vertex.groups)]
+    return [
+        vertex.index for vertex in obj.data.vertices if (index, 1.0) in [(g.group, g.weight) for g in vertex.groups]
+    ]
 
 
 def test_add_from_group_takes_the_active_one_then_those_without_patch():
@@ -82,5 +84,5 @@ def test_spread_gives_enabled_patches_even_values():
 @pytest.mark.parametrize("name", ["patch_remove", "patch_paint", "patch_spread_values"])
 def test_empty_list_says_what_to_do(name):
     grid()
-    with pytest.raises(RuntimeError, match="patch .*first"):
+    with pytest.raises(RuntimeError, match=r"patch .*first"):
         getattr(bpy.ops.dirichlet, name)()

@@ -103,9 +103,7 @@ def test_more_groups_than_one_batch_are_read():
 
 
 def test_piece_without_paint_is_nan_and_grey_and_said(pipeline):
-    obj = add(
-        [(0, 0, 0), (1, 0, 0), (0, 1, 0), (5, 0, 0), (6, 0, 0), (5, 1, 0)], [(0, 1, 2), (3, 4, 5)]
-    )
+    obj = add([(0, 0, 0), (1, 0, 0), (0, 1, 0), (5, 0, 0), (6, 0, 0), (5, 1, 0)], [(0, 1, 2), (3, 4, 5)])
     paint(obj, "a", [0], 2.0)
     paint(obj, "b", [1], 3.0)
     result = pipeline.solve_field(obj)
