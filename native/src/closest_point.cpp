@@ -38,8 +38,7 @@ Nearest nearest_to_origin(const std::array<Vector3, 3>& corner) {
     best.offer(corner, w);
   }
   const Vector3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
-  const double area = dot(normal, normal);
-  if (!(area > 0)) return best;
+  const double area = dot(normal, normal); // if it is 0, no comparison below holds
   const double v = dot(cross(corner[2], corner[0]), normal) / area;
   const double w = dot(cross(corner[0], corner[1]), normal) / area;
   if (v > 0 && w > 0 && v + w < 1) best.offer(corner, {1 - v - w, v, w});

@@ -52,16 +52,15 @@ std::vector<double> stepped_levels(double low, double high, double step, double 
   check_window(low, high);
   if (!(step > 0) || !std::isfinite(step)) throw InputError(message("the step is ", step, ", but has to be positive"));
   if (!std::isfinite(phase)) throw InputError(message("the phase is ", phase, ", which is not finite"));
-  const double width = high - low;
-  const double steps = std::isfinite(width) ? width / step : high / step - low / step;
+  const double steps = 2 * ((high / 2 - low / 2) / step); // halves, since the width of a huge window overflows
   const auto refuse = [&] {
     throw InputError(message("a step of ", step, " makes more than ", kMostLevels, " levels from ", low, " to ", high));
   };
   if (!(steps <= kMostLevels + 1.0)) refuse();
   const double fraction = phase - std::floor(phase);
-  const double first = std::floor(low / step - fraction); // a step too early if anything
+  const double first = std::floor(low / step - fraction); // at or below the lower end
   std::vector<double> levels;
-  for (Index k = 0; k < steps + 3; ++k) {
+  for (Index k = 0; k <= steps + 1; ++k) {
     const double level = (first + k + fraction) * step;
     const double below = levels.empty() ? low : levels.back(); // far from 0, neighbours may round to the same level
     if (level > below && level < high) levels.push_back(level);

@@ -78,10 +78,18 @@ TEST(IsolineHazards, a_level_at_a_single_highest_vertex_leaves_nothing) {
 }
 
 TEST(IsolineHazards, levels_at_the_lowest_value_or_out_of_range_and_no_levels_leave_nothing) {
-  const auto mesh = make_mesh(makers::sphere(5, 8));
-  const auto field = sample(*mesh, [](double, double, double z) { return z; });
-  EXPECT_EQ(line_count(extract_isolines(*mesh, field, Levels{-1, -2, 1.5, 1e308, -1e308})), 0U);
+  const auto mesh = make_mesh(makers::grid(5, 4));
+  const auto field = sample(*mesh, [](double x, double, double) { return x; });
+  EXPECT_EQ(line_count(extract_isolines(*mesh, field, Levels{0, -2, 5.5, 1e308, -1e308})), 0U);
   EXPECT_EQ(extract_isolines(*mesh, field, {}).offsets, std::vector<Index>{0});
+}
+
+TEST(IsolineHazards, of_equal_levels_the_first_carries_the_lines) {
+  const auto mesh = make_mesh(makers::grid(5, 4));
+  const auto field = sample(*mesh, [](double x, double, double) { return x; });
+  Levels levels;
+  for (int i = 0; i < 100; ++i) levels.insert(levels.end(), {3.5, 1.5, 2.5, i % 2 == 0 ? 0.0 : -0.0});
+  EXPECT_EQ(extract_isolines(*mesh, field, levels).level, (std::vector<Index>{0, 1, 2}));
 }
 
 TEST(IsolineHazards, undefined_vertices_cut_lines_open_and_are_not_touched) {
@@ -124,6 +132,7 @@ TEST(IsolineHazards, lines_stay_closed_where_two_diagonals_join_the_same_vertice
       const Isolines lines = extract_isolines(*mesh, field, Levels{0.3, 0.5, 0.7});
       expect_lawful(*mesh, lines, field, {0.3, 0.5, 0.7});
       EXPECT_TRUE(all_closed(lines));
+      EXPECT_EQ(lines.t.size(), crossed_triangles(*mesh, field, {0.3, 0.5, 0.7}));
     }
 }
 

@@ -73,6 +73,19 @@ inline std::vector<double> random_numbers(const Mesh& mesh, unsigned seed) {
   return sample(mesh, [&](double, double, double) { return number(random); });
 }
 
+/// How many segments there are: every triangle has one for each level between its values.
+inline std::size_t crossed_triangles(const Mesh& mesh, const std::vector<double>& field,
+                                     const std::vector<double>& levels) {
+  std::size_t count = 0;
+  const auto corners = mesh.triangulated().corners();
+  for (const double level : levels)
+    for (std::size_t c = 0; c < corners.size(); c += 3) {
+      const auto above = [&](std::size_t i) { return field[at(corners[c + i])] >= level; };
+      if (above(0) != above(1) || above(1) != above(2)) ++count;
+    }
+  return count;
+}
+
 /// Arrays fit together, and every line has two or more points and a level.
 inline void expect_consistent_arrays(const Isolines& lines, std::size_t level_count) {
   const std::size_t count = line_count(lines), points = lines.t.size();

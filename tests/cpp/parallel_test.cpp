@@ -9,7 +9,7 @@
 namespace dirichlet {
 namespace {
 
-TEST(ParallelChunks, VisitEveryItemOnce) {
+TEST(ParallelChunks, visit_every_item_once) {
   for (const std::size_t count : {0U, 1U, 7U, 1000U, 1001U}) {
     std::vector<int> visits(count, 0);
     parallel_chunks(count, 3, [&](std::size_t begin, std::size_t end) {
@@ -19,7 +19,7 @@ TEST(ParallelChunks, VisitEveryItemOnce) {
   }
 }
 
-TEST(ParallelChunks, HandTheCallerAnErrorOfAnyPiece) {
+TEST(ParallelChunks, hand_the_caller_an_error_of_any_piece) {
   const auto fail_at = [](std::size_t place) {
     parallel_chunks(1000, 1, [=](std::size_t begin, std::size_t end) {
       if (begin <= place && place < end) throw std::out_of_range("stop");
@@ -29,7 +29,7 @@ TEST(ParallelChunks, HandTheCallerAnErrorOfAnyPiece) {
   EXPECT_THROW(fail_at(999), std::out_of_range);
 }
 
-TEST(ParallelChunks, KeepSmallWorkInTheCallersThread) {
+TEST(ParallelChunks, keep_small_work_in_the_callers_thread) {
   const auto caller = std::this_thread::get_id();
   parallel_chunks(19, 10, [&](std::size_t begin, std::size_t end) {
     EXPECT_EQ(std::this_thread::get_id(), caller);
