@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dirichlet/patches.h"
 
-#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 
 #include <algorithm>
 #include <numeric>
@@ -14,7 +14,7 @@
 namespace dirichlet {
 namespace {
 
-using HalfEdgeMesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+using HalfEdgeMesh = OpenMesh::PolyConnectivity; // a half-edge mesh without coordinates
 
 constexpr std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
@@ -165,7 +165,7 @@ class PatchInspector {
     orient();
     const OpenMeshSession session;
     HalfEdgeMesh surface;
-    for (Index v = 0; v < facts.vertices; ++v) surface.add_vertex({});
+    for (Index v = 0; v < facts.vertices; ++v) surface.add_vertex();
     std::vector<OpenMesh::VertexHandle> corners;
     for (const Index f : faces_) {
       corners.clear();
@@ -226,8 +226,7 @@ std::vector<PatchFacts> inspect_patches(const Mesh& mesh, std::span<const std::v
   facts.reserve(patches.size());
   for (auto& patch : sorted) {
     std::ranges::sort(patch);
-    const auto rest = std::ranges::unique(patch);
-    patch.erase(rest.begin(), rest.end());
+    patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
     facts.push_back(inspector.inspect(patch));
   }
   find_overlaps(sorted, mesh.vertex_count(), facts);

@@ -95,7 +95,7 @@ class BodyCheck {
 
   std::size_t list_length(const PlyProperty& p) {
     const double count = in_.next(*p.count);
-    if (!(count >= 0) || count != std::floor(count)) in_.fail("a list cannot have ", count, " entries");
+    if (count < 0) in_.fail("a list cannot have ", count, " entries");
     if (count > static_cast<double>(in_.remaining()))
       in_.fail("a list of ", count, " entries is promised, but only ", in_.remaining(), " bytes follow");
     return static_cast<std::size_t>(count);
@@ -106,7 +106,7 @@ class BodyCheck {
     if (count < 3) in_.fail("face ", face, " has ", count, count == 1 ? " corner" : " corners", ", not three or more");
     for (std::size_t c = 0; c < count; ++c) {
       const double vertex = in_.next(p.type);
-      if (!(vertex >= 0 && vertex < vertex_count_) || vertex != std::floor(vertex))
+      if (vertex < 0 || vertex >= vertex_count_)
         in_.fail("face ", face, " names vertex ", vertex, ", but the file's vertices are 0 to ", vertex_count_ - 1);
     }
     return count;

@@ -31,8 +31,9 @@ class PlyText final : public PlyValues {
  public:
   explicit PlyText(TextScanner in) : in_(in) {}
 
-  double next(PlyType /*type*/) override {
+  double next(PlyType type) override {
     const auto word = in_.expect("a number");
+    if (is_whole(type)) return static_cast<double>(in_.whole(word, "a number"));
     const auto value = parse<double>(word);
     if (!value) fail(quoted(word), " is not a number");
     return *value;
@@ -52,6 +53,7 @@ class PlyBinary final : public PlyValues {
       : file_(file), position_(begin), order_(order) {}
 
   double next(PlyType type) override {
+    last_ = position_;
     if (remaining() < size_of(type)) fail("the file ends where a number should be");
     const char* at = &file_.bytes[position_];
     position_ += size_of(type);
@@ -78,11 +80,12 @@ class PlyBinary final : public PlyValues {
   bool at_end() override { return file_.bytes.find_first_not_of("\r\n", position_) == std::string::npos; }
   [[nodiscard]] std::size_t position() const override { return position_; }
   [[nodiscard]] std::size_t remaining() const override { return file_.bytes.size() - position_; }
-  [[nodiscard]] std::string where() const override { return message(file_.name, ", byte ", position_); }
+  [[nodiscard]] std::string where() const override { return message(file_.name, ", byte ", last_); }
 
  private:
   const FileBytes& file_;
   std::size_t position_;
+  std::size_t last_ = position_; ///< where the number begins that was read last
   std::endian order_;
 };
 
