@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <numeric>
+#include <utility>
 
 namespace dirichlet {
 namespace {
@@ -13,50 +14,57 @@ constexpr int kRemoved = 2;
 
 } // namespace
 
-bool EarClipper::cut(std::span<const Point2> polygon, std::vector<Index>& triangles) {
-  polygon_ = polygon;
-  start();
-  std::size_t left = polygon.size();
+bool EarClipper::cut(std::span<const Point2> polygon, double rounding, std::vector<Index>& triangles) {
+  rounding_ = rounding;
+  start(polygon);
   bool progress = false;
-  for (std::size_t head = 0; left > 3;) {
-    Index corner = -1;
-    if (head < waiting_.size()) {
-      corner = waiting_[head++];
-      if (!is_ear(corner)) continue;
-    } else if (progress) { // a cut frees its neighbours as a rule; look at all the others before giving up
+  while (left_ > 3) {
+    if (waiting_.empty() && progress) { // a cut frees its neighbours as a rule; look at all the others before giving up
       progress = false;
-      head = 0;
-      waiting_.clear();
-      for (Index i = 0; i < static_cast<Index>(polygon.size()); ++i) waiting_.push_back(i);
-      continue;
-    } else if (corner = first_flat(); corner < 0) {
-      return false;
+      waiting_.resize(polygon.size());
+      std::iota(waiting_.begin(), waiting_.end(), Index{0});
+    } else if (waiting_.empty()) {
+      const Index flat = first_flat();
+      if (flat < 0) return false;
+      remove(flat, triangles);
+      progress = true;
     }
-    remove(corner, triangles);
-    --left;
-    progress = true;
+    progress = cut_ears(triangles) || progress;
   }
   const auto last = std::find_if(turn_.begin(), turn_.end(), [](int turn) { return turn != kRemoved; });
-  if (last == turn_.end() || *last < 0) return false;
-  const auto corner = static_cast<Index>(last - turn_.begin());
-  triangles.insert(triangles.end(), {previous_[at(corner)], corner, next_[at(corner)]});
+  if (*last < 0) return false;
+  remove(static_cast<Index>(last - turn_.begin()), triangles);
   return true;
 }
 
-/// Every other corner comes first, so that a convex polygon is not cut into a fan of slivers.
-void EarClipper::start() {
-  const auto size = static_cast<Index>(polygon_.size());
-  previous_.resize(at(size));
-  next_.resize(at(size));
-  turn_.assign(at(size), 0);
+void EarClipper::start(std::span<const Point2> polygon) {
+  polygon_ = polygon;
+  const auto size = static_cast<Index>(polygon.size());
+  left_ = polygon.size();
+  round_ = 0;
+  previous_.resize(left_);
+  next_.resize(left_);
+  turn_.assign(left_, 0);
+  touched_.assign(left_, 0);
   hollow_.clear();
   waiting_.clear();
   for (Index i = 0; i < size; ++i) {
     previous_[at(i)] = (i + size - 1) % size;
     next_[at(i)] = (i + 1) % size;
   }
-  for (const Index parity : {0, 1})
-    for (Index i = parity; i < size; i += 2) update(i);
+  for (Index i = 0; i < size; ++i) update(i);
+}
+
+/// One round over the corners waiting. Neighbours of a cut wait for the next one, so that a convex polygon is cut at
+/// every other corner, and not into a fan of slivers. \returns whether there was a cut.
+bool EarClipper::cut_ears(std::vector<Index>& triangles) {
+  ++round_;
+  std::swap(waiting_, now_);
+  waiting_.clear();
+  const std::size_t before = left_;
+  for (const Index corner : now_)
+    if (left_ > 3 && touched_[at(corner)] != round_ && is_ear(corner)) remove(corner, triangles);
+  return left_ < before;
 }
 
 /// Cuts off the triangle at `corner`.
@@ -64,6 +72,7 @@ void EarClipper::remove(Index corner, std::vector<Index>& triangles) {
   const Index before = previous_[at(corner)], after = next_[at(corner)];
   triangles.insert(triangles.end(), {before, corner, after});
   turn_[at(corner)] = kRemoved;
+  --left_;
   next_[at(before)] = after;
   previous_[at(after)] = before;
   update(before);
@@ -73,6 +82,7 @@ void EarClipper::remove(Index corner, std::vector<Index>& triangles) {
 /// After a change of its neighbours.
 void EarClipper::update(Index corner) {
   turn_[at(corner)] = side(previous_[at(corner)], corner, next_[at(corner)]);
+  touched_[at(corner)] = round_;
   if (turn_[at(corner)] <= 0) hollow_.push_back(corner);
   waiting_.push_back(corner);
 }
@@ -94,27 +104,31 @@ bool EarClipper::is_ear(Index corner) {
   return true;
 }
 
-/// Whether `corner` lies on the cut that would take off `ear`, or a side from it enters the open triangle.
+/// Whether `corner` lies on the cut that would take off `ear`, or a side from it enters the open triangle, or its two
+/// sides are those of the triangle, seen from outside.
 bool EarClipper::blocks(Index ear, Index corner) const {
   const std::array<Index, 4> ring{previous_[at(ear)], ear, next_[at(ear)], previous_[at(ear)]};
   std::array<int, 3> inside{};
   for (std::size_t i = 0; i < 3; ++i)
     if (inside[i] = side(ring[i], ring[i + 1], corner); inside[i] < 0) return false;
+  bool between = true;
   for (const Index end : {previous_[at(corner)], next_[at(corner)]}) {
-    bool enters = true;
-    for (std::size_t i = 0; i < 3 && enters; ++i) enters = inside[i] > 0 || side(ring[i], ring[i + 1], end) > 0;
-    if (enters) return true;
+    int least = 1; // over the triangle's sides on which `corner` lies
+    for (std::size_t i = 0; i < 3; ++i)
+      if (inside[i] == 0) least = std::min(least, side(ring[i], ring[i + 1], end));
+    if (least > 0) return true;
+    between = between && least == 0;
   }
-  return inside[0] > 0 && inside[1] > 0; // hence not inside[2]: between the ends of the cut
+  const bool at_ear = inside[0] == 0 && inside[1] == 0, on_cut = inside[0] > 0 && inside[1] > 0;
+  return on_cut || (at_ear && between);
 }
 
-/// 1 if c lies left of the line from a to b, -1 right of it, 0 on it as far as coordinates rounded at size 1 can tell.
+/// 1 if c lies left of the line from a to b, -1 right of it, 0 on it as far as rounded coordinates can tell.
 int EarClipper::side(Index a, Index b, Index c) const {
   const Point2 p = polygon_[at(a)], q = polygon_[at(b)], r = polygon_[at(c)];
   const double ux = q.x - p.x, uy = q.y - p.y, vx = r.x - p.x, vy = r.y - p.y;
   const double area = ux * vy - uy * vx;
-  constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
-  if (std::abs(area) <= kRounding * (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy))) return 0;
+  if (std::abs(area) <= 2 * rounding_ * (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy))) return 0;
   return area > 0 ? 1 : -1;
 }
 

@@ -20,27 +20,33 @@ struct Point2 {
 /// only where the polygon itself is flat.
 class EarClipper {
  public:
-  /// \param polygon   counter-clockwise, of size about 1: rounding is judged against that.
+  /// \param polygon   counter-clockwise
+  /// \param rounding  how far its coordinates may be from what was meant
   /// \param triangles receives the corners' places in `polygon`, three for each of the size - 2 triangles.
   /// \returns false if no ear is left before the end, which is when the polygon crosses itself.
-  bool cut(std::span<const Point2> polygon, std::vector<Index>& triangles);
+  bool cut(std::span<const Point2> polygon, double rounding, std::vector<Index>& triangles);
 
  private:
-  void start();
+  void start(std::span<const Point2> polygon);
+  bool cut_ears(std::vector<Index>& triangles);
   void remove(Index corner, std::vector<Index>& triangles);
   bool is_ear(Index corner);
   [[nodiscard]] bool blocks(Index ear, Index corner) const;
   [[nodiscard]] int side(Index a, Index b, Index c) const;
   void update(Index corner);
-  Index first_flat() const;
+  [[nodiscard]] Index first_flat() const;
 
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
   std::span<const Point2> polygon_;
+  double rounding_ = 0;
+  std::size_t left_ = 0; ///< corners not yet cut off
+  int round_ = 0;
   std::vector<Index> previous_, next_; ///< among the corners left
   std::vector<int> turn_;              ///< 1 left, 0 straight on or back, -1 right; kRemoved
+  std::vector<int> touched_;           ///< the round in which a neighbour was last cut off
   std::vector<Index> hollow_;          ///< corners that do not turn left, and some that no longer matter
-  std::vector<Index> waiting_;         ///< corners to look at next
+  std::vector<Index> waiting_, now_;   ///< corners to look at in the next round, and in this one
 };
 
 } // namespace dirichlet

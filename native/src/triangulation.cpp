@@ -16,6 +16,10 @@
 namespace dirichlet {
 namespace {
 
+double largest_part(const Vector3& a) {
+  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+}
+
 double length(const Vector3& a) {
   return std::sqrt(dot(a, a));
 }
@@ -28,16 +32,16 @@ bool splits_well(const std::array<Vector3, 4>& quad) {
   return dot(one, whole) > 0 && dot(two, whole) > 0;
 }
 
-/// Twice the area vector; 0 if it is lost in the rounding of coordinates.
-Vector3 area_vector(std::span<const Vector3> polygon) {
+/// Twice the area vector; 0 if it could as well be that of points moved by `rounding`.
+Vector3 area_vector(std::span<const Vector3> polygon, double rounding) {
   Vector3 sum;
-  double size = 0;
+  double perimeter = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector3 side = polygon[(i + 1) % polygon.size()] - polygon[i];
     sum = sum + cross(polygon[i], side);
-    size += length(polygon[i]) * length(side);
+    perimeter += length(side);
   }
-  return length(sum) > 4 * std::numeric_limits<double>::epsilon() * size ? sum : Vector3{};
+  return length(sum) > 2 * rounding * perimeter ? sum : Vector3{};
 }
 
 /// Moves points along `normal` to the coordinate plane that is most across it, and so that they turn counter-clockwise
@@ -80,16 +84,17 @@ class PolygonSplitter {
   /// Relative to the first corner, and of size about 1.
   void load(std::span<const Index> corners) {
     polygon_.clear();
-    double size = 0;
+    double size = 0, farthest = 0;
     for (const Index corner : corners) {
       const double* p = positions_.data() + 3 * static_cast<std::size_t>(corner);
       polygon_.push_back(Vector3{p[0], p[1], p[2]});
-      const Vector3 d = polygon_.back() - polygon_.front();
-      size = std::max({size, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+      farthest = std::max(farthest, largest_part(polygon_.back()));
+      size = std::max(size, largest_part(polygon_.back() - polygon_.front()));
     }
     const double scale = unit_scale(size);
     const Vector3 origin = polygon_.front();
     for (Vector3& point : polygon_) point = scale * (point - origin);
+    rounding_ = 4 * std::numeric_limits<double>::epsilon() * (scale * farthest);
   }
 
   bool split_quad() {
@@ -99,18 +104,19 @@ class PolygonSplitter {
   }
 
   bool split_polygon() {
-    const Vector3 area = area_vector(polygon_);
+    const Vector3 area = area_vector(polygon_, rounding_);
     if (dot(area, area) == 0) { // in no plane, or on a line: any triangulation is as good
       for (Index i = 1; i + 1 < static_cast<Index>(polygon_.size()); ++i)
         triangles_.insert(triangles_.end(), {0, i, i + 1});
       return true;
     }
     project(polygon_, area, flat_);
-    return clipper_.cut(flat_, triangles_);
+    return clipper_.cut(flat_, rounding_, triangles_);
   }
 
   std::span<const double> positions_;
   std::vector<Vector3> polygon_;
+  double rounding_ = 0; ///< of its coordinates
   std::vector<Point2> flat_;
   std::vector<Index> triangles_;
   EarClipper clipper_;
