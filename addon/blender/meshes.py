@@ -12,6 +12,14 @@ from .. import library
 # foreach_get is fast only into a buffer of Blender's own C type: float32 for coordinates, unsigned for indices.
 
 
+def require_mesh(obj: bpy.types.Object) -> None:
+    """Raises InputError unless the object is a mesh whose data can be read now."""
+    if obj.type != "MESH":
+        raise library.load().InputError(f"object '{obj.name}' is not a mesh but of type {obj.type}")
+    if obj.mode == "EDIT":
+        raise library.load().InputError(f"object '{obj.name}' is in Edit Mode: leave it first, its mesh cannot be read")
+
+
 def read_mesh(mesh: bpy.types.Mesh):
     """The dirichlet_surface.Mesh of a mesh data-block in object space, without modifiers or shape keys.
 

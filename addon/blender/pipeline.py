@@ -45,6 +45,7 @@ class IsolineResult:
 def solve_field(obj: bpy.types.Object, *, progress: Progress = lambda done: None) -> FieldResult:
     """Solves between the patches of `obj.dirichlet` and writes attributes, material and `obj.dirichlet.results`."""
     surface, clock = library.load(), Stopwatch()
+    meshes.require_mesh(obj)
     attributes.require_names(obj)
     mesh = meshes.read_mesh(obj.data)
     clock.lap("read")
@@ -92,6 +93,7 @@ def read_painting(obj: bpy.types.Object):
 def make_isolines(obj: bpy.types.Object, *, progress: Progress = lambda done: None) -> IsolineResult:
     """Extracts isolines of the field that the mesh carries, and writes them into the object's curve object."""
     surface, clock = library.load(), Stopwatch()
+    meshes.require_mesh(obj)
     values = attributes.read_field(obj.data)
     mesh = meshes.read_mesh(obj.data)
     clock.lap("read")

@@ -21,9 +21,8 @@ def _append(obj: bpy.types.Object, group: str) -> None:
 def _unlisted(obj: bpy.types.Object) -> list[str]:
     """Vertex groups without a patch, the active one first."""
     listed = {patch.group for patch in obj.dirichlet.patches}
-    active = obj.vertex_groups.active
-    names = [group.name for group in obj.vertex_groups if group.name not in listed]
-    return sorted(names, key=lambda name: name != active.name)
+    groups = [group for group in obj.vertex_groups if group.name not in listed]
+    return [group.name for group in sorted(groups, key=lambda group: group != obj.vertex_groups.active)]
 
 
 def _poll_patch(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
@@ -69,7 +68,7 @@ class DIRICHLET_OT_patch_add_group(bpy.types.Operator):
 class DIRICHLET_OT_patch_add_selected(bpy.types.Operator):
     bl_idname = "dirichlet.patch_add_selected"
     bl_label = "Add Patch from Selected"
-    bl_description = "Make a vertex group of the selected vertices (as last selected in Edit Mode) and a patch for it"
+    bl_description = "Make a vertex group of the selected vertices, as last selected in Edit Mode, and a patch for it; leaves Edit Mode"
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
@@ -83,17 +82,14 @@ class DIRICHLET_OT_patch_add_selected(bpy.types.Operator):
         editing = obj.mode == "EDIT"
         if editing:  # the mesh has the selection and takes weights only outside
             bpy.ops.object.mode_set(mode="OBJECT")
-        try:
-            selected = meshes.selected_vertices(obj.data)
-            if selected.size:
-                _append(obj, groups.add_group(obj, "Patch", selected))
-        finally:
+        selected = meshes.selected_vertices(obj.data)
+        if not selected.size:
             if editing:
                 bpy.ops.object.mode_set(mode="EDIT")
-        if not selected.size:
             self.report({"ERROR"}, f"No vertex of '{obj.name}' is selected: select some in Edit Mode")
             return {"CANCELLED"}
-        return {"FINISHED"}
+        _append(obj, groups.add_group(obj, "Patch", selected))
+        return {"FINISHED"}  # still outside: an undo step made in Edit Mode has no list of patches
 
 
 class DIRICHLET_OT_patch_remove(bpy.types.Operator):

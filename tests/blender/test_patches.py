@@ -38,13 +38,33 @@ def test_add_from_selected_makes_a_group_of_the_selection(mode):
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.object.mode_set(mode=mode)
     bpy.ops.dirichlet.patch_add_selected()
-    assert obj.mode == mode
-    bpy.ops.object.mode_set(mode="OBJECT")
+    assert obj.mode == "OBJECT"
     assert members(obj, "Patch") == [3, 4, 16]
     assert rows(obj) == [("Patch", 0)]
     select(obj, {7})
     bpy.ops.dirichlet.patch_add_selected()
     assert rows(obj) == [("Patch", 0), ("Patch.001", 1)]
+
+
+def test_add_from_selected_in_edit_mode_is_one_undo_step():
+    select(grid(), {3})
+    bpy.ops.ed.undo_push(message="selected")
+    bpy.ops.object.mode_set("EXEC_DEFAULT", True, mode="EDIT")
+    bpy.ops.dirichlet.patch_add_selected("EXEC_DEFAULT", True)
+    bpy.ops.ed.undo()
+    obj = bpy.data.objects["Grid"]
+    assert obj.mode == "EDIT"
+    assert rows(obj) == []
+    assert not obj.vertex_groups
+
+
+def test_add_from_selected_stays_in_edit_mode_without_a_selection():
+    obj = grid()
+    select(obj, ())
+    bpy.ops.object.mode_set(mode="EDIT")
+    with pytest.raises(RuntimeError, match="No vertex of 'Grid' is selected"):
+        bpy.ops.dirichlet.patch_add_selected()
+    assert obj.mode == "EDIT"
 
 
 def test_remove_keeps_the_vertex_group():

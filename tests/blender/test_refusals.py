@@ -289,3 +289,16 @@ def test_edges_alone_are_refused():
     obj.data.edges.add(1)
     paint(obj, "a", [0])
     assert_refused(bpy.ops.dirichlet.solve_field, obj, "face")
+
+
+@pytest.mark.parametrize("function", ["solve_field", "make_isolines"])
+def test_scripts_get_a_sentence_for_what_is_no_mesh_or_cannot_be_read(pipeline, surface, function):
+    obj = painted_grid()
+    bpy.ops.dirichlet.solve_field()
+    bpy.ops.object.mode_set(mode="EDIT")
+    with pytest.raises(surface.InputError, match="'Grid' is in Edit Mode"):
+        getattr(pipeline, function)(obj)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.ops.object.empty_add()
+    with pytest.raises(surface.InputError, match="'Empty' is not a mesh but of type EMPTY"):
+        getattr(pipeline, function)(bpy.context.active_object)

@@ -132,12 +132,16 @@ def test_modifiers_and_other_objects_do_not_change_the_reading():
 
 
 @pytest.mark.skipif(bpy.app.version >= (3, 6, 0), reason="faces own consecutive loops since Blender 3.6")
-def test_faces_may_own_any_stretch_of_the_loops():
-    obj = painted_grid(columns=9)
-    starts = np.arange(0, len(obj.data.loops), 4, dtype=np.int32)[::-1].copy()
-    obj.data.polygons.foreach_set("loop_start", starts)
+def test_faces_may_own_any_stretch_of_the_loops(surface):
+    positions, quad, triangle = [(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0), (3, 0, 0)], (0, 1, 2, 3), (2, 1, 4)
+    obj = add(positions, [quad, triangle])
+    obj.data.loops.foreach_set("vertex_index", [*triangle, *quad])
+    obj.data.polygons.foreach_set("loop_start", [3, 0])
+    paint(obj, "a", [0], 0.0)
+    paint(obj, "b", [4], 1.0)
     solve()
-    assert field_of(obj)[4] == pytest.approx(0.5, abs=1e-6)
+    mesh = surface.Mesh(positions, ([0, 4, 7], [*quad, *triangle]))
+    assert np.array_equal(field_of(obj), surface.solve(mesh, [0, 4], [0, 1]).values.astype(np.float32))
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "WEIGHT_PAINT", "VERTEX_PAINT"])
