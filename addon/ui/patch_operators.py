@@ -68,7 +68,9 @@ class DIRICHLET_OT_patch_add_group(bpy.types.Operator):
 class DIRICHLET_OT_patch_add_selected(bpy.types.Operator):
     bl_idname = "dirichlet.patch_add_selected"
     bl_label = "Add Patch from Selected"
-    bl_description = "Make a vertex group of the selected vertices, as last selected in Edit Mode, and a patch for it; leaves Edit Mode"
+    bl_description = (
+        "Make a vertex group of the vertices last selected in Edit Mode, and a patch for it. Leaves Edit Mode"
+    )
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
