@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ordering.h"
+
+#include "ordering/dissection.h"
+#include "ordering/renumbering.h"
+
+namespace dirichlet {
+
+std::vector<Index> fill_reducing_order(std::span<const Index> offsets, std::span<const Index> neighbours,
+                                       unsigned threads) {
+  const ordering::Renumbered renumbered = ordering::renumber(offsets, neighbours);
+  std::vector<Index> order = ordering::dissect(renumbered.graph(), threads);
+  for (Index& v : order) v = renumbered.vertices[static_cast<std::size_t>(v)];
+  order.insert(order.end(), renumbered.hubs.begin(), renumbered.hubs.end());
+  return order;
+}
+
+} // namespace dirichlet

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "dirichlet/array.h"
+
+namespace dirichlet {
+
+/// An elimination order of a symmetric graph that keeps the Cholesky factor of its matrices small: nested dissection
+/// (George 1973; Karypis & Kumar 1998), made for surface meshes but correct for any graph.
+///
+/// `offsets` (n + 1,) and `neighbours` are the rows of the matrix's pattern, which must be symmetric; entries of the
+/// diagonal are skipped, and rows need not be sorted. order[k] is the vertex eliminated k-th. The result depends on the
+/// graph alone, not on the number of threads, of which there are at most about `threads`.
+///
+/// Cost: O(n log n) time for meshes, about three times the memory of the graph.
+std::vector<Index> fill_reducing_order(std::span<const Index> offsets, std::span<const Index> neighbours,
+                                       unsigned threads = std::thread::hardware_concurrency());
+
+} // namespace dirichlet
