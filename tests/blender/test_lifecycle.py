@@ -10,7 +10,8 @@ import bpy
 import numpy as np
 import pytest
 from conftest import STAGED
-from scene import colors_of, data_counts, field_of, painted_sphere
+from refusal import data_counts
+from scene import colors_of, field_of, painted_sphere
 
 
 def registered():
