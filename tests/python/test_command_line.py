@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from dirichlet_surface import even_levels, isolines, level_through_point, read_mesh, solve, stepped_levels, write_mesh
 from dirichlet_surface.command_line import main
+from dirichlet_surface.patch_argument import parse_patch
 from mesh_makers import joined, sphere
 from numpy.testing import assert_array_equal
 
@@ -77,7 +78,9 @@ def test_the_field_is_the_one_of_the_api():
 
 
 def test_both_methods_are_at_hand():
-    run(*PAINT, "--method", "lscg", "--laplacian", "graph", "--out-field", "field.npy")
+    run(*PAINT, "--method", "lscg", "--laplacian", "graph", "--out-field", "field.npy", "--report", "report.json")
+    with open("report.json") as file:
+        assert json.load(file)["solve"]["method"] == "lscg"
     np.testing.assert_allclose(np.load("field.npy"), expected_field()[1].values, atol=1e-8)
 
 
@@ -113,6 +116,17 @@ def test_a_ball_paints_every_vertex_within_its_radius_and_at_it():
     assert up["vertices"] == 1
     assert down["vertices"] == 1 + 5 * 12  # the pole, and all rings down to the equator
     assert down["disc"]
+
+
+def test_a_ball_knows_no_scale():
+    positions = sphere(9, 12).positions * 1e-170  # whose squares are 0
+    assert_array_equal(parse_patch("pole=1@0,0,1e-170,1e-171").to_patch(positions).vertices, [0])
+
+
+def test_a_file_of_vertices_may_come_from_another_system(work_folder):
+    (work_folder / "south.txt").write_bytes("\ufeff109,108\r\n107, 106\r105 104\r\n".encode())
+    run(*PAINT, "--out-field", "field.npy")
+    assert_array_equal(np.load("field.npy"), expected_field()[1].values)
 
 
 def test_overlaps_follow_the_rule():

@@ -39,6 +39,11 @@ def test_brightness_only_rises(name):
     assert (np.diff(luminance) > 0).all()
 
 
+@every_ramp
+def test_a_range_without_width_is_mid_ramp(name):
+    assert_array_equal(apply_ramp(np.array([1.0, 2.0]), 2, 2, name), apply_ramp(np.array([0.5, 0.5]), 0, 1, name))
+
+
 def test_any_range_gives_finite_colours():
     for low, high in [(-1.7e308, 1.7e308), (0, 5e-324), (2, 2), (1, np.nextafter(1, 2))]:
         colors = apply_ramp(np.array([low, high, np.nan]), low, high)
