@@ -48,6 +48,16 @@ def test_edited_ramp_colors_the_attribute(material, interpolation):
     assert np.allclose(colors_of(obj), ramp_colors(ramp, field_of(obj)), atol=2e-3)
 
 
+def test_constant_ramp_jumps_exactly_at_its_stops(addon, material):
+    obj = painted_grid()
+    solve()
+    ramp = material.find_ramp(obj).color_ramp
+    ramp.interpolation = "CONSTANT"
+    places = np.array([place + shift for place in (0.25, 0.5, 0.75) for shift in (-1e-6, 0, 1e-6)])
+    evaluate = importlib.import_module(f"{addon.__name__}.blender.ramp").evaluate
+    assert np.array_equal(evaluate(ramp, places), ramp_colors(ramp, places))
+
+
 def test_solving_again_keeps_the_edited_ramp(material):
     obj = painted_grid()
     solve()
