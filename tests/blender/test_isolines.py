@@ -226,15 +226,22 @@ def test_results_count_closed_and_open_lines(sphere, sheet):
 def test_points_that_coincide_in_float32_are_one(addon):
     curves = importlib.import_module(f"{addon.__name__}.blender.curves")
     step = 1e-12
-    rows = [0, step, 1, 2, 2 + step, 0, 1, 2, step, 3, 3 + step, 5, 6]
+    stay, close, vanish, vanish_open, return_to_start = (
+        [0, step, 1, 2, 2 + step],
+        [0, 1, 2, step],
+        [3, 3 + step],
+        [4, 4 + step],
+        [5, 6, 5],
+    )
+    rows = [*stay, *close, *vanish, *vanish_open, *return_to_start]
     lines = SimpleNamespace(
         points=np.array([(1 + x, 0.0, 0.0) for x in rows]),
-        offsets=np.array([0, 5, 9, 11, 13]),
-        closed=np.array([False, True, True, False]),
-        level=np.array([0, 1, 2, 3]),
-        length=np.array([2.0, 4.0, 0.0, 1.0]),
+        offsets=np.array([0, 5, 9, 11, 13, 16]),
+        closed=np.array([False, True, True, False, False]),
+        level=np.arange(5),
+        length=np.ones(5),
     )
     splines = curves.split(lines)
-    assert splines.offsets == [0, 3, 6, 8]
-    assert np.array_equal(splines.points[:, 0], [1, 2, 3, 2, 3, 1, 6, 7])
-    assert splines.level.tolist() == [0, 1, 3]
+    assert splines.offsets == [0, 3, 6, 9]
+    assert np.array_equal(splines.points[:, 0], [1, 2, 3, 2, 3, 1, 6, 7, 6])
+    assert splines.level.tolist() == [0, 1, 4]
