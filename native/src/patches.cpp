@@ -173,12 +173,8 @@ class PatchInspector {
       if (side_[at(f)] == Side::flipped) std::ranges::reverse(corners);
       if (!surface.add_face(corners).is_valid()) return;
     }
-    std::size_t around = 0; // half-edges met turning around every vertex: all, unless two closed fans share one
-    for (const auto v : surface.vertices()) {
+    for (const auto v : surface.vertices())
       if (!surface.is_manifold(v)) return;
-      around += surface.valence(v);
-    }
-    if (around != surface.n_halfedges()) return;
     facts.manifold = true;
     facts.border_loops = count_border_loops(surface);
     facts.disc = facts.components == 1 && facts.euler_characteristic == 1 && facts.border_loops == 1 &&

@@ -58,6 +58,7 @@ TEST_F(MeshFile, obj_damage_is_refused_with_its_line) {
   EXPECT_REFUSED(read("a.obj", kTriangle + "f 1 2 4\n"), InputError, "a.obj, line 4", "vertex 4", "1 to 3");
   EXPECT_REFUSED(read("a.obj", kTriangle + "f 1 2 0\n"), InputError, "line 4", "vertex 0");
   EXPECT_REFUSED(read("a.obj", kTriangle + "f 1 2 -4\n"), InputError, "line 4", "vertex -4", "3 vertices");
+  EXPECT_REFUSED(read("a.obj", kTriangle + "f 1 2 -4\nv 0 0 1\n"), InputError, "line 4", "only 3 vertices");
   EXPECT_REFUSED(read("a.obj", kTriangle + "f 1 2 99999999999\n"), InputError, "line 4", "99999999999");
   EXPECT_REFUSED(read("a.obj", kTriangle + "f 1 2\n"), InputError, "line 4", "2 corners");
   EXPECT_REFUSED(read("a.obj", kTriangle + "f 1\n"), InputError, "line 4", "1 corner,");

@@ -94,6 +94,17 @@ TEST(Patches, two_discs_in_one_patch_are_no_disc) {
   EXPECT_FALSE(facts.disc);
 }
 
+TEST(Patches, a_triangle_and_a_whole_torus_are_no_disc_though_they_count_like_one) {
+  PolygonSoup soup = makers::torus(6, 5);
+  soup.faces.push_back({30, 31, 32});
+  soup.positions.resize(3 * 33);
+  const auto facts = inspect(soup, all_of(soup));
+  EXPECT_EQ(facts.euler_characteristic, 1);
+  EXPECT_EQ(facts.border_loops, 1);
+  EXPECT_EQ(facts.components, 2);
+  EXPECT_FALSE(facts.disc);
+}
+
 TEST(Patches, a_whole_sphere_and_a_whole_torus_have_no_border) {
   for (const auto& [soup, euler] : {std::pair{makers::sphere(5, 8), 2}, std::pair{makers::torus(6, 5, false), 0}}) {
     const auto facts = inspect(soup, all_of(soup));
