@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace dirichlet {
@@ -17,19 +16,13 @@ constexpr int kRemoved = 2;
 bool EarClipper::cut(std::span<const Point2> polygon, double rounding, std::vector<Index>& triangles) {
   rounding_ = rounding;
   start(polygon);
-  bool progress = false;
   while (left_ > 3) {
-    if (waiting_.empty() && progress) { // a cut frees its neighbours as a rule; look at all the others before giving up
-      progress = false;
-      waiting_.resize(polygon.size());
-      std::iota(waiting_.begin(), waiting_.end(), Index{0});
-    } else if (waiting_.empty()) {
+    if (waiting_.empty()) { // a corner becomes an ear only when a neighbour is cut off, so no others are left
       const Index flat = first_flat();
       if (flat < 0) return false;
       remove(flat, triangles);
-      progress = true;
     }
-    progress = cut_ears(triangles) || progress;
+    cut_ears(triangles);
   }
   const auto last = std::find_if(turn_.begin(), turn_.end(), [](int turn) { return turn != kRemoved; });
   if (*last < 0) return false;
@@ -56,15 +49,13 @@ void EarClipper::start(std::span<const Point2> polygon) {
 }
 
 /// One round over the corners waiting. Neighbours of a cut wait for the next one, so that a convex polygon is cut at
-/// every other corner, and not into a fan of slivers. \returns whether there was a cut.
-bool EarClipper::cut_ears(std::vector<Index>& triangles) {
+/// every other corner, and not into a fan of slivers.
+void EarClipper::cut_ears(std::vector<Index>& triangles) {
   ++round_;
   std::swap(waiting_, now_);
   waiting_.clear();
-  const std::size_t before = left_;
   for (const Index corner : now_)
     if (left_ > 3 && touched_[at(corner)] != round_ && is_ear(corner)) remove(corner, triangles);
-  return left_ < before;
 }
 
 /// Cuts off the triangle at `corner`.

@@ -28,7 +28,7 @@ class EarClipper {
 
  private:
   void start(std::span<const Point2> polygon);
-  bool cut_ears(std::vector<Index>& triangles);
+  void cut_ears(std::vector<Index>& triangles);
   void remove(Index corner, std::vector<Index>& triangles);
   bool is_ear(Index corner);
   [[nodiscard]] bool blocks(Index ear, Index corner) const;

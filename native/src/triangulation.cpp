@@ -20,10 +20,6 @@ double largest_part(const Vector3& a) {
   return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
 }
 
-double length(const Vector3& a) {
-  return std::sqrt(dot(a, a));
-}
-
 /// Whether the triangles 0 1 2 and 0 2 3 both face the way the whole quad does: neither folded over nor flat.
 bool splits_well(const std::array<Vector3, 4>& quad) {
   const Vector3 diagonal = quad[2] - quad[0];
@@ -32,16 +28,12 @@ bool splits_well(const std::array<Vector3, 4>& quad) {
   return dot(one, whole) > 0 && dot(two, whole) > 0;
 }
 
-/// Twice the area vector; 0 if it could as well be that of points moved by `rounding`.
-Vector3 area_vector(std::span<const Vector3> polygon, double rounding) {
+/// Twice the area vector.
+Vector3 area_vector(std::span<const Vector3> polygon) {
   Vector3 sum;
-  double perimeter = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector3 side = polygon[(i + 1) % polygon.size()] - polygon[i];
-    sum = sum + cross(polygon[i], side);
-    perimeter += length(side);
-  }
-  return length(sum) > 2 * rounding * perimeter ? sum : Vector3{};
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sum = sum + cross(polygon[i], polygon[(i + 1) % polygon.size()] - polygon[i]);
+  return sum;
 }
 
 /// Moves points along `normal` to the coordinate plane that is most across it, and so that they turn counter-clockwise
@@ -104,7 +96,7 @@ class PolygonSplitter {
   }
 
   bool split_polygon() {
-    const Vector3 area = area_vector(polygon_, rounding_);
+    const Vector3 area = area_vector(polygon_);
     if (dot(area, area) == 0) { // in no plane, or on a line: any triangulation is as good
       for (Index i = 1; i + 1 < static_cast<Index>(polygon_.size()); ++i)
         triangles_.insert(triangles_.end(), {0, i, i + 1});

@@ -67,6 +67,12 @@ Polygon with_split_sides(const Polygon& polygon) {
   return split;
 }
 
+/// In the plane y = 0, exactly; twice: in the plane x = 0.
+Polygon upright(Polygon polygon) {
+  for (Point& p : polygon) p = {p[1], p[2], p[0]};
+  return polygon;
+}
+
 Polygon tilted(Polygon polygon, double scale = 1, double offset = 0) {
   for (Point& p : polygon) {
     const auto [x, y, z] = p;
@@ -169,6 +175,8 @@ TEST(Triangulation, does_not_depend_on_where_polygons_lie_how_large_they_are_and
       const Polygon moved = tilted(polygon, scale, 0);
       EXPECT_TRUE(covers(moved, triangulate(moved)));
     }
+    EXPECT_TRUE(covers(upright(polygon), triangulate(upright(polygon))));
+    EXPECT_TRUE(covers(upright(upright(polygon)), triangulate(upright(upright(polygon)))));
     Polygon moved = tilted(polygon, 1, 1e3);
     std::rotate(moved.begin(), moved.begin() + 3, moved.end());
     EXPECT_TRUE(covers(moved, triangulate(moved)));
@@ -209,6 +217,13 @@ TEST(Triangulation, splits_polygons_without_an_area_somehow) {
     EXPECT_TRUE(splits(polygon.size(), triangulate(polygon)));
 }
 
+TEST(Triangulation, splits_a_polygon_that_touches_itself) {
+  const Polygon at_corner = in_plane({{0, 0}, {4, 0}, {4, 4}, {3, 4}, {0, 0}, {1, 4}, {0, 4}});
+  const Polygon at_side = in_plane({{0, 0}, {4, 0}, {4, 4}, {3, 4}, {2, 0}, {1, 4}, {0, 4}});
+  for (const Polygon& polygon : {at_corner, at_side, tilted(at_corner), tilted(at_side)})
+    EXPECT_TRUE(splits(polygon.size(), triangulate(polygon)));
+}
+
 TEST(Triangulation, splits_a_polygon_with_a_hair) {
   const Polygon outside = in_plane({{0, 0}, {2, 0}, {4, 0}, {2, 0}, {2, 2}, {0, 2}});
   const Polygon inside = in_plane({{0, 0}, {4, 0}, {4, 2}, {1, 1}, {4, 2}, {4, 4}, {0, 4}});
@@ -217,9 +232,10 @@ TEST(Triangulation, splits_a_polygon_with_a_hair) {
 }
 
 TEST(Triangulation, follows_a_bent_polygon) {
-  Polygon bent = around(9, [](Index i) { return i % 2 == 0 ? 1 : 0.6; });
-  for (Point& p : bent) p[2] = 0.3 * p[0] * p[1];
+  Polygon bent = around(10, [](Index i) { return i % 2 == 0 ? 1 : 0.7; });
+  for (std::size_t i = 0; i < 10; ++i) bent[i][2] = i % 2 == 0 ? 0.4 : -0.4;
   EXPECT_TRUE(covers(bent, triangulate(bent)));
+  EXPECT_TRUE(covers(tilted(bent), triangulate(tilted(bent)))); // not along an axis, but along its area vector
 }
 
 TEST(Triangulation, manages_polygons_of_thousands_of_corners) {
