@@ -14,7 +14,6 @@ namespace dirichlet {
 namespace {
 
 using makers::make_mesh;
-using makers::PolygonSoup;
 using Levels = std::vector<double>;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
