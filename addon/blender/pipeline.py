@@ -67,7 +67,12 @@ def solve_field(obj: bpy.types.Object, *, progress: Progress = lambda done: None
 
 
 def read_painting(obj: bpy.types.Object):
-    """The library's Painting of the enabled patches.
+    """The library's Painting of the enabled patches. Raises InputError naming groups and vertices."""
+    return library.load().combine_patches(read_patches(obj), len(obj.data.vertices), obj.dirichlet.overlap)
+
+
+def read_patches(obj: bpy.types.Object) -> list[Any]:
+    """The library's Patch of every enabled patch.
 
     A vertex belongs to a patch when its weight in the group is above 0 and at least the threshold, or just above 0
     when the patch takes its weights as values. Raises InputError naming groups and vertices.
@@ -87,7 +92,7 @@ def read_painting(obj: bpy.types.Object):
         vertices = np.flatnonzero((weights > 0) & (weights >= np.float32(lowest)))
         values = weights[vertices].astype(np.float64) if patch.weights_as_values else patch.value
         painted.append(surface.Patch(patch.group, vertices, values))
-    return surface.combine_patches(painted, len(obj.data.vertices), settings.overlap)
+    return painted
 
 
 def make_isolines(obj: bpy.types.Object, *, progress: Progress = lambda done: None) -> IsolineResult:

@@ -88,9 +88,11 @@ def write_outputs(
     lines: Isolines,
     patches: Sequence[Patch] = (),
     warnings: Sequence[str] = (),
+    also: Sequence[tuple[Path, Callable[[Path], None]]] = (),
 ) -> None:
-    """Writes the files asked for, all or none; `warnings` come first in the report. Raises InputError."""
-    files: list[tuple[Path, Callable[[Path], None]]] = []
+    """Writes the files asked for, and `also` those, all or none; `warnings` come first in the report. Raises
+    InputError."""
+    files = list(also)
     if args.out_field:
         files.append((args.out_field, partial(FIELD_WRITERS[args.out_field.suffix.lower()], mesh, field)))
     if args.out_lines:
