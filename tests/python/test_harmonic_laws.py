@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Laws of harmonic fields under injected Dirichlet conditions, on every kind of surface."""
 
+import json
+
 import numpy as np
 import pytest
 from dirichlet_surface import HarmonicSolver, Mesh, solve
@@ -222,6 +224,7 @@ def test_the_report_adds_up(method):
     assert (report.painted_minimum, report.painted_maximum) == (0.0, 1.0)
     assert set(report.seconds) == {"connectivity", "laplacian", "injection", "factorisation", "solve"}
     assert all(seconds >= 0 for seconds in report.seconds.values())
+    assert json.loads(json.dumps(report.to_dict())) == {**vars(report), "warnings": list(report.warnings)}
     assert "\n" not in report.summary()
     assert str(soup.size) in report.summary()
 
