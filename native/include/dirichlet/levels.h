@@ -11,7 +11,8 @@ namespace dirichlet {
 
 /// `count` levels spread evenly inside the window [low, high]: low + (k + 1/2) (high - low) / count, ascending. Never
 /// one more or less, and none at the ends. Source: the sliding window on the colour ramp of "Dirichlet Surface
-/// Isolines". \throws InputError  count < 1, an empty window, or ends that are not finite.
+/// Isolines". Where the window holds too few doubles, levels
+/// repeat. \throws InputError  count not in 1 … 1,000,000, an empty window, or ends that are not finite.
 std::vector<double> even_levels(double low, double high, Index count);
 
 /// The levels (k + phase) step for all whole k that lie strictly inside (low, high), ascending; animate `phase` from 0

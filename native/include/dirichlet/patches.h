@@ -17,7 +17,7 @@ struct PatchFacts {
   Index components = 0;           ///< connected pieces
   Index euler_characteristic = 0; ///< vertices - edges + faces
   Index border_loops = 0;         ///< of the faces; 0 when they are not manifold
-  bool manifold = false;          ///< the faces form a manifold surface with or without border
+  bool manifold = false;          ///< there are faces, and they form an orientable surface with or without border
   bool disc = false;              ///< manifold, connected, Euler characteristic 1, one border loop, no loose edge
   std::vector<Index> overlaps;    ///< the other patches that share a vertex with it, ascending
 };

@@ -12,7 +12,7 @@
 namespace dirichlet {
 
 enum class Method {
-  direct,           ///< Cholesky (LDLᵀ) of the symmetric twin, fill reduced by approximate minimum degree
+  direct,           ///< multifrontal Cholesky of the symmetric twin, on all cores
   least_squares_cg, ///< the paper's: conjugate gradients on LᵀL of the raw, unsymmetric matrix; the reference
 };
 
@@ -27,7 +27,7 @@ struct SolverOptions {
 struct SolverStatistics {
   Index unknowns = 0;               ///< free vertices
   std::int64_t nonzeros = 0;        ///< of the injected matrix, as the method stores it
-  std::int64_t factor_nonzeros = 0; ///< of L; 0 for an iterative method
+  std::int64_t factor_nonzeros = 0; ///< numbers stored for L; 0 for an iterative method
   double inject_seconds = 0;        ///< building the injected matrix
   double factor_seconds = 0;        ///< ordering and factorisation
 };

@@ -11,7 +11,8 @@ namespace dirichlet {
 /// Splits every polygon into triangles that lie inside it, over the same vertices and with its orientation.
 ///
 /// A quad is split from its first to its third corner, unless that diagonal would fold it (a concave quad): then from
-/// the second to the fourth. Larger polygons are cut ear by ear in the plane of their area vector.
+/// the second to the fourth. Larger polygons are cut ear by ear in the plane of their area vector; one whose area
+/// vector is zero lies in no plane and becomes a fan.
 ///
 /// \param positions  (V, 3) finite
 /// \param offsets    (F + 1,) and \param corners (C,): faces, each vertex at most once in a face.

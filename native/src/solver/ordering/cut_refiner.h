@@ -2,45 +2,44 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
+#include "division.h"
 #include "gain_queue.h"
 
 namespace dirichlet::ordering {
 
-/// Two sides of a weighted graph, and the weight of the edges between them.
-struct Cut {
-  std::array<Index, 2> weight{};
-  Index edges = 0;
-};
-
-/// Makes cuts of weighted graphs and improves them by moving vertices across, the best first, also for the worse for a
+/// Cuts graphs across few edges and improves cuts by moving vertices across, the best first, also for the worse for a
 /// while (Fiduccia & Mattheyses 1982). Holds its arrays for the next graph.
 class CutRefiner {
  public:
-  /// Grows side 0 from `seed`, always by the vertex that cuts the fewest edges, to half the weight.
-  /// \param side (size,) is written. The graph must be connected.
-  Cut grow(const CoarseGraph& graph, Index seed, std::uint8_t* side);
+  /// Grows the left side from `seed`, always by the vertex that cuts the fewest edges, to half the weight of a
+  /// connected graph.
+  void grow(const CoarseGraph& graph, Index seed, Division& division);
 
-  /// Improves a cut until a pass over it fails to. Neither side shall weigh more than `heaviest`, if that can be had.
-  void refine(const CoarseGraph& graph, Index heaviest, std::uint8_t* side, Cut& cut);
+  /// Improves a cut until a pass over its boundary fails to. Leaves exactly the boundary in division.boundary. No side
+  /// becomes heavier than 65 % unless it was.
+  void refine(const CoarseGraph& graph, Division& division);
+  void refine(const Graph& graph, Division& division);
 
  private:
-  struct Quality;
-  Quality quality(const Cut& cut) const;
-  void fit(const CoarseGraph& graph);
-  void enqueue(const CoarseGraph& graph, const std::uint8_t* side, Index v);
-  Index choose(const CoarseGraph& graph, const Cut& cut);
-  void move(const CoarseGraph& graph, Index v, std::uint8_t* side, Cut& cut);
-  bool improve(const CoarseGraph& graph, std::uint8_t* side, Cut& cut);
+  template <class G>
+  void refine_any(const G& graph, Division& division);
+  template <class G>
+  bool improve(const G& graph, Division& division);
+  template <class G>
+  void enqueue(const G& graph, const Division& division, Index v);
+  template <class G>
+  Index choose(const G& graph, const Division& division, Index heaviest);
+  template <class G>
+  void move(const G& graph, Index v, Division& division);
+  void fit(Index size);
+  void end_pass(std::size_t kept, Division& division);
 
-  Index heaviest_ = 0;
   std::array<GainQueue, 2> queue_{GainQueue(255), GainQueue(255)}; // of the vertices on each side that may cross
-  Scratch<Index> gain_;                                            // of every vertex that was in a queue this pass
-  Scratch<std::uint8_t> locked_;
-  std::vector<Index> moved_;
-  std::vector<Index> boundary_, touched_;
+  Scratch<Index> gain_;                                            // of every vertex in a queue
+  Scratch<std::uint8_t> locked_;                                   // vertices that have moved in this pass
+  std::vector<Index> moved_, touched_;                             // in this pass; touched were in a queue
 };
 
 } // namespace dirichlet::ordering

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/factor.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "dirichlet/error.h"
+#include "for_row.h"
+#include "message.h"
+#include "parallel.h"
+
+namespace dirichlet {
+namespace {
+
+std::size_t at(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Hands 0 … count − 1 to f, each as soon as a thread is free.
+template <class F>
+void share_out(Index count, std::size_t threads, const F& f) {
+  std::atomic<Index> next{0};
+  parallel_chunks(std::min(threads, at(count)), 1, [&](std::size_t, std::size_t) {
+    for (Index i = next++; i < count; i = next++) f(i);
+  });
+}
+
+/// The lower triangle of a child's update matrix added into the panel and the update matrix of its parent.
+template <class Real>
+void extend_add(const Real* child, std::span<const Index> place, Index w, Index m, Real* panel, Real* update) {
+  const auto r = static_cast<Index>(place.size());
+  for (Index j = 0; j < r; ++j) {
+    const Real* from = child + UpdateLayout::column(r, j);
+    const Index column = place[at(j)];
+    Real* to = column < w ? panel + std::int64_t{column} * m : update + UpdateLayout::column(m - w, column - w) - w;
+    for (Index i = j; i < r; ++i) to[place[at(i)]] += from[i];
+  }
+}
+
+} // namespace
+
+FrontMatrix arrange(const SparseMatrix& K, const SymbolicFactor& symbolic) {
+  const Index n = symbolic.size();
+  FrontMatrix matrix;
+  matrix.offsets.assign(at(n) + 1, 0);
+  for (Index j = 0; j < n; ++j) {
+    Index count = 0;
+    for_row(K, symbolic.order[at(j)], [&](Index u, double) { count += symbolic.position[at(u)] >= j; });
+    matrix.offsets[at(j) + 1] = matrix.offsets[at(j)] + count;
+  }
+  matrix.places.resize(at(matrix.offsets.back()));
+  matrix.values.resize(at(matrix.offsets.back()));
+  parallel_chunks(at(n), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t j = begin; j < end; ++j) {
+      const Index s = symbolic.owner[j], first = symbolic.columns[at(s)], w = symbolic.width(s);
+      const auto rows = symbolic.rows_of(s);
+      auto e = at(matrix.offsets[j]);
+      for_row(K, symbolic.order[j], [&](Index u, double value) {
+        const Index i = symbolic.position[at(u)];
+        if (i < static_cast<Index>(j)) return;
+        const auto below = std::lower_bound(rows.begin(), rows.end(), i) - rows.begin();
+        matrix.places[e] = i < first + w ? i - first : w + static_cast<Index>(below);
+        matrix.values[e++] = value;
+      });
+    }
+  });
+  return matrix;
+}
+
+/// What a thread needs of its own: the stack of update matrices inside a subtree.
+template <class Real>
+struct Factor<Real>::Workspace {
+  std::unique_ptr<Real[]> stack;
+  std::vector<const Real*> updates; ///< of the supernodes whose parent is still to come, in their order
+  std::size_t threads = 1;          ///< that a single front may use
+};
+
+template <class Real>
+Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, FrontMatrix matrix, std::int64_t most_kept)
+    : symbolic_(std::move(symbolic)), matrix_(std::move(matrix)),
+      tasks_(cut_into_tasks(*symbolic_, most_kept / static_cast<std::int64_t>(sizeof(Real)))),
+      kernels_(dense_kernels<Real>(best_instruction_set())),
+      panels_(std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(symbolic_->factor_size()))),
+      kept_(std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(tasks_.kept_size))) {
+  const SymbolicFactor& f = *symbolic_;
+  const Index count = f.supernode_count();
+  relative_.resize(f.rows.size());
+  child_offsets_.assign(at(count) + 1, 0);
+  work_.assign(tasks_.tasks.size(), 0);
+  for (Index s = 0; s < count; ++s) {
+    const double m = f.width(s) + f.row_count(s);
+    work_[at(tasks_.owner[at(s)])] += f.width(s) * m * m;
+    const Index up = f.parent[at(s)];
+    if (up < 0) continue;
+    ++child_offsets_[at(up) + 1];
+    const auto rows = f.rows_of(up);
+    const Index first = f.columns[at(up)], w = f.width(up);
+    Index* place = relative_.data() + f.row_offsets[at(s)];
+    Index below = 0; // both lists ascend
+    for (const Index i : f.rows_of(s)) {
+      while (i >= first + w && rows[at(below)] < i) ++below;
+      *place++ = i < first + w ? i - first : w + below;
+    }
+  }
+  for (Index s = 0; s < count; ++s) child_offsets_[at(s) + 1] += child_offsets_[at(s)];
+  children_.resize(at(child_offsets_.back()));
+  std::vector<Index> next(child_offsets_.begin(), child_offsets_.end() - 1);
+  for (Index s = 0; s < count; ++s)
+    if (const Index up = f.parent[at(s)]; up >= 0) children_[at(next[at(up)]++)] = s;
+}
+
+template <class Real>
+void Factor<Real>::eliminate(Index s, const Mask& fixed, Real* update, std::span<const Real* const> child_updates,
+                             std::size_t threads) {
+  const SymbolicFactor& f = *symbolic_;
+  const Index w = f.width(s), r = f.row_count(s), m = w + r, first = f.columns[at(s)];
+  const auto rows = f.rows_of(s);
+  Real* panel = panels_.get() + f.panel_offsets[at(s)];
+  std::fill_n(panel, std::int64_t{m} * w, Real{0});
+  std::fill_n(update, UpdateLayout::size(r), Real{0});
+
+  for (Index c = 0; c < w; ++c) {
+    Real* column = panel + std::int64_t{c} * m;
+    if (fixed[at(first + c)] != 0) {
+      column[c] = 1;
+      continue;
+    }
+    for (auto e = at(matrix_.offsets[at(first + c)]); e < at(matrix_.offsets[at(first + c) + 1]); ++e) {
+      const Index place = matrix_.places[e], i = place < w ? first + place : rows[at(place - w)];
+      if (fixed[at(i)] == 0) column[place] += static_cast<Real>(matrix_.values[e]);
+    }
+  }
+  for (std::size_t k = 0; k < child_updates.size(); ++k) {
+    const Index child = children_[at(child_offsets_[at(s)]) + k];
+    extend_add(child_updates[k], {relative_.data() + f.row_offsets[at(child)], at(f.row_count(child))}, w, m, panel,
+               update);
+  }
+
+  constexpr double kWorthSharing = 2e6; // floating-point operations
+  if (1.0 * w * m * m < kWorthSharing) threads = 1;
+  const auto parallel_for = [threads](Index pieces, const auto& piece) { share_out(pieces, threads, piece); };
+  const auto pieces = static_cast<Index>(threads);
+  if (const Index good = factor_panel(kernels_, panel, m, w, m, pieces, parallel_for); good < w)
+    throw SolverError(message("the matrix is singular at vertex ", f.order[at(first + good)]));
+  share_out((r + UpdateLayout::kBlock - 1) / UpdateLayout::kBlock, threads, [&](Index block) {
+    const Index j = block * UpdateLayout::kBlock, below = r - j;
+    kernels_.rank_update(update + UpdateLayout::block(r, j), below, panel + w + j, m, below, w, 0,
+                         std::min(UpdateLayout::kBlock, below));
+  });
+}
+
+template <class Real>
+void Factor<Real>::run_task(Index number, const Mask& fixed, Workspace& space) {
+  const SymbolicFactor& f = *symbolic_;
+  const auto& task = tasks_.tasks[at(number)];
+  const auto child_count = [&](Index s) { return at(child_offsets_[at(s) + 1] - child_offsets_[at(s)]); };
+  Real* const kept = kept_.get() + task.update;
+  if (task.first == task.last) { // its children, if any, are tasks
+    space.updates.clear();
+    for (auto c = child_offsets_[at(task.last)]; c < child_offsets_[at(task.last) + 1]; ++c)
+      space.updates.push_back(kept_.get() + tasks_.tasks[at(tasks_.owner[at(children_[at(c)])])].update);
+    return eliminate(task.last, fixed, kept, space.updates, space.threads);
+  }
+  Real* top = space.stack.get();
+  space.updates.clear();
+  for (Index s = task.first; s <= task.last; ++s) {
+    const std::size_t count = child_count(s);
+    const std::span<const Real* const> children(space.updates.data() + space.updates.size() - count, count);
+    if (s == task.last) return eliminate(s, fixed, kept, children, space.threads);
+    eliminate(s, fixed, top, children, space.threads);
+    const std::int64_t size = UpdateLayout::size(f.row_count(s));
+    Real* const place = count == 0 ? top : const_cast<Real*>(children.front()); // where its children were, in the stack
+    std::copy_n(top, size, place);
+    space.updates.resize(space.updates.size() - count);
+    space.updates.push_back(place);
+    top = place + size;
+  }
+}
+
+template <class Real>
+void Factor<Real>::run(const Mask& fixed, const std::vector<std::uint8_t>& dirty) {
+  const auto& tasks = tasks_.tasks;
+  const auto run_range = [&](Index begin, Index end, std::size_t threads) {
+    Workspace space;
+    space.stack = std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(tasks_.stack_size));
+    space.threads = threads;
+    for (Index t = begin; t < end; ++t)
+      if (dirty[at(t)] != 0) run_task(t, fixed, space);
+  };
+  const Index middle = symbolic_->group[1] < symbolic_->supernode_count() ? tasks_.owner[at(symbolic_->group[1])]
+                                                                          : static_cast<Index>(tasks.size());
+  const auto any = [&](Index begin, Index end) {
+    return std::any_of(dirty.begin() + begin, dirty.begin() + end, [](std::uint8_t d) { return d != 0; });
+  };
+  const std::size_t cores = core_count();
+  if (any(0, middle) && any(middle, tasks_.shared)) {
+    share_out(2, cores, [&](Index half) { run_range(half == 0 ? 0 : middle, half == 0 ? middle : tasks_.shared, 1); });
+  } else {
+    run_range(0, tasks_.shared, cores);
+  }
+  run_range(tasks_.shared, static_cast<Index>(tasks.size()), cores);
+}
+
+template <class Real>
+void Factor<Real>::factor(const Mask& fixed) {
+  run(fixed, std::vector<std::uint8_t>(tasks_.tasks.size(), 1));
+}
+
+template <class Real>
+double Factor<Real>::refactor(const Mask& fixed, std::span<const Index> changed) {
+  std::vector<std::uint8_t> dirty(tasks_.tasks.size(), 0);
+  for (const Index column : changed) dirty[at(tasks_.owner[at(symbolic_->owner[at(column)])])] = 1;
+  double total = 0, again = 0;
+  for (std::size_t t = 0; t < dirty.size(); ++t) {
+    total += work_[t];
+    if (dirty[t] == 0) continue;
+    again += work_[t];
+    if (const Index up = tasks_.tasks[t].parent; up >= 0) dirty[at(up)] = 1;
+  }
+  run(fixed, dirty);
+  return again / total;
+}
+
+template <class Real>
+void Factor<Real>::forward(Index begin, Index end, Real* x, Real* shared, Index k) const {
+  const SymbolicFactor& f = *symbolic_;
+  const Index shared_begin = f.columns[at(f.group[2])];
+  std::vector<Real> below;
+  for (Index s = begin; s < end; ++s) {
+    const Index w = f.width(s), m = w + f.row_count(s);
+    below.assign(at(m - w) * at(k), Real{0});
+    kernels_.forward(panels_.get() + f.panel_offsets[at(s)], m, w, m, x + std::int64_t{f.columns[at(s)]} * k,
+                     below.data(), k);
+    const Real* from = below.data();
+    for (const Index row : f.rows_of(s)) {
+      Real* to = row < shared_begin ? x + std::int64_t{row} * k : shared + std::int64_t{row - shared_begin} * k;
+      for (Index c = 0; c < k; ++c) to[c] += *from++;
+    }
+  }
+}
+
+template <class Real>
+void Factor<Real>::backward(Index begin, Index end, Real* x, Index k) const {
+  const SymbolicFactor& f = *symbolic_;
+  std::vector<Real> below;
+  for (Index s = end; s-- > begin;) {
+    const Index w = f.width(s), m = w + f.row_count(s);
+    below.resize(at(m - w) * at(k));
+    Real* to = below.data();
+    for (const Index row : f.rows_of(s)) to = std::copy_n(x + std::int64_t{row} * k, k, to);
+    kernels_.backward(panels_.get() + f.panel_offsets[at(s)], m, w, m, x + std::int64_t{f.columns[at(s)]} * k,
+                      below.data(), k);
+  }
+}
+
+template <class Real>
+void Factor<Real>::solve(std::span<Real> x, Index k) const {
+  const SymbolicFactor& f = *symbolic_;
+  const Index shared_begin = f.columns[at(f.group[2])];
+  const std::size_t cores = f.factor_size() * k > (1 << 18) ? core_count() : 1;
+  const std::size_t shared_size = at(f.size() - shared_begin) * at(k);
+  std::array<std::vector<Real>, 2> shared; // each half's part; added in this order, whoever is first
+  share_out(2, cores, [&](Index half) {
+    shared[at(half)].assign(shared_size, Real{0});
+    forward(f.group[at(half)], f.group[at(half) + 1], x.data(), shared[at(half)].data(), k);
+  });
+  Real* const top = x.data() + std::int64_t{shared_begin} * k;
+  for (std::size_t i = 0; i < shared_size; ++i) top[i] += shared[0][i] + shared[1][i];
+  forward(f.group[2], f.supernode_count(), x.data(), top, k);
+  backward(f.group[2], f.supernode_count(), x.data(), k);
+  share_out(2, cores, [&](Index half) { backward(f.group[at(half)], f.group[at(half) + 1], x.data(), k); });
+}
+
+template <class Real>
+std::int64_t Factor<Real>::bytes() const {
+  const auto real = static_cast<std::int64_t>(sizeof(Real)), index = static_cast<std::int64_t>(sizeof(Index));
+  return (symbolic_->factor_size() + tasks_.kept_size) * real +
+         static_cast<std::int64_t>(2 * symbolic_->rows.size() + 4 * at(symbolic_->size()) + matrix_.places.size()) *
+             index +
+         static_cast<std::int64_t>(matrix_.values.size() * sizeof(double));
+}
+
+template class Factor<float>;
+template class Factor<double>;
+
+} // namespace dirichlet
