@@ -127,9 +127,7 @@ def table(columns: dict[str, dict[str, float]]) -> str:
     cells = [["milliseconds", *columns], *([label, *(shown(key, c) for c in columns.values())] for key, label in ROWS)]
     widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))]
     cells.insert(1, ["-" * widths[0], *("-" * (width - 1) + ":" for width in widths[1:])])
-    lines = [
-        [row[0].ljust(widths[0]), *(c.rjust(w) for c, w in zip(row[1:], widths[1:]))] for row in cells
-    ]
+    lines = [[row[0].ljust(widths[0]), *(c.rjust(w) for c, w in zip(row[1:], widths[1:]))] for row in cells]
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
