@@ -48,7 +48,7 @@ def make_figure(addon: ModuleType, obj: bpy.types.Object, plan: Plan) -> Sheet:
         above = [
             _tile(studio, figure_materials.painted(addon, studio.mesh, mask), "painted patches"),
             _tile(studio, colored, "harmonic field"),
-            _tile(studio, colored, f"{plan.levels} isolines", lines),
+            _tile(studio, colored, f"isolines at {plan.levels} levels", lines),
         ]
     return compose([above, below], _legend(addon, obj, plan.window))
 
@@ -65,7 +65,7 @@ def _windowed(addon: ModuleType, obj: bpy.types.Object, studio: Studio, plan: Pl
     spot = plan.spot or _busiest(studio, lines, plan.zoom)
     width, height = plan.width / plan.zoom, plan.height / plan.zoom
     box = spot[0] * plan.width - width / 2, (1 - spot[1]) * plan.height - height / 2, width, height
-    caption = f"{plan.levels} isolines from {plan.window[0]:.3g} to {plan.window[1]:.3g}"
+    caption = f"{plan.levels} levels from {plan.window[0]:.3g} to {plan.window[1]:.3g}"
     whole = _tile(studio, material, caption, lines)
     studio.zoom(spot, plan.zoom)
     near = _tile(studio, material, "close-up", lines)
