@@ -64,10 +64,14 @@ def visible(cells: Array, depth: Array, tolerance: float) -> NDArray[np.bool_]:
 
 
 def busiest_spot(places: Array, zoom: float) -> tuple[float, float]:
-    """The centre of the frame, 1/zoom of the picture wide and high, that holds the most places (P, 2) in [0, 1]²."""
+    """The centre of the frame, 1/zoom of the picture wide and high, with places (P, 2) in [0, 1]² in
+    most of its cells: many lines, but not one thick bundle."""
     counts, _, _ = np.histogram2d(*places.T, bins=_CELLS, range=((0, 1), (0, 1)))
     size = max(1, round(_CELLS / zoom))
-    total = np.pad(counts.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+    total = np.pad((counts > 0).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     inside = total[size:, size:] - total[:-size, size:] - total[size:, :-size] + total[:-size, :-size]
     column, row = np.unravel_index(int(np.argmax(inside)), inside.shape)
-    return (column + size / 2) / _CELLS, (row + size / 2) / _CELLS
+    corner = np.array((column, row)) / _CELLS
+    framed = places[((places >= corner) & (places <= corner + size / _CELLS)).all(axis=1)]
+    x, y = np.clip(framed.mean(axis=0), 0.5 / zoom, 1 - 0.5 / zoom)
+    return float(x), float(y)
