@@ -142,7 +142,7 @@ class LineBuilder {
   /// that of two huge ones overflows.
   static double crossing(double a, double b, double level) {
     const double whole = b - a;
-    if (std::isfinite(whole)) return (level - a) / whole;
+    if (std::isfinite(whole)) return (level - a) / whole + 0.0; // 0 for -0
     return (level / 2 - a / 2) / (b / 2 - a / 2);
   }
 
