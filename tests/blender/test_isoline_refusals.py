@@ -80,7 +80,7 @@ def test_make_isolines_refuses(broken, made_before):
 
 
 def test_make_isolines_asks_for_a_field_first():
-    assert_refused(bpy.ops.dirichlet.make_isolines, painted_grid(), "Solve Field first")
+    assert_refused(bpy.ops.dirichlet.make_isolines, painted_grid(), r"poll\(\) Solve Field first")
 
 
 def test_make_isolines_refuses_a_field_undefined_everywhere():

@@ -27,6 +27,7 @@ def sheet():
 
 def make(obj):
     assert bpy.ops.dirichlet.make_isolines() == {"FINISHED"}
+    assert obj.dirichlet.isolines is not None
     return obj.dirichlet.isolines
 
 
