@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib
+import importlib.util
 import os
 import sys
 from collections.abc import Callable
@@ -47,14 +48,15 @@ def load_addon() -> ModuleType:
 
 def load_library() -> ModuleType:
     """dirichlet_surface without Blender: an importable one, else that built in this tree. Raises NotFoundError."""
+    folder = _ROOT / "build/release/python"
+    if importlib.util.find_spec(LIBRARY) is None:
+        sys.path.insert(0, str(folder))
     try:
         return importlib.import_module(LIBRARY)
-    except ModuleNotFoundError:
-        folder = _ROOT / "build/release/python"
-        if not (folder / LIBRARY).is_dir():
-            raise NotFoundError(f"there is no {LIBRARY} in {folder}: build it with ./run bench or install it") from None
-        sys.path.insert(0, str(folder))
-        return importlib.import_module(LIBRARY)
+    except ImportError as error:
+        raise NotFoundError(
+            f"{LIBRARY} is not installed, nor usable in {folder} ({error}): ./run demo builds it"
+        ) from None
 
 
 def run_with_addon(name: str, work: Callable[[ModuleType], None]) -> int:
