@@ -146,17 +146,17 @@ TEST(FillReducingOrder, is_the_same_for_any_number_of_threads_and_every_time) {
     EXPECT_EQ(fill_reducing_order(graph.offsets, graph.neighbours, threads), alone) << threads << " threads";
 }
 
-TEST(FillReducingOrder, factorises_surfaces_in_no_more_operations_than_minimum_degree) {
+TEST(FillReducingOrder, factorises_surfaces_in_hardly_more_operations_than_minimum_degree) {
   for (const auto& soup : {makers::grid(200, 200), makers::grid(150, 300, false), makers::torus(200, 150)}) {
     const Rows graph = mesh_rows(soup);
-    EXPECT_LE(cost(graph).flops, minimum_degree_cost(graph).flops);
+    EXPECT_LE(cost(graph).flops, 1.1 * minimum_degree_cost(graph).flops);
   }
 }
 
 TEST(FillReducingOrder, factorises_small_surfaces_about_as_well_as_minimum_degree) {
   for (const Index n : {4, 8, 12, 20, 40}) {
     const Rows graph = mesh_rows(makers::grid(n, n));
-    EXPECT_LE(cost(graph).flops, 1.3 * minimum_degree_cost(graph).flops) << n;
+    EXPECT_LE(cost(graph).flops, 1.15 * minimum_degree_cost(graph).flops) << n;
   }
 }
 
@@ -165,7 +165,7 @@ TEST(FillReducingOrder, hardly_depends_on_the_numbering_of_the_vertices) {
   const double flops = cost(mesh_rows(soup)).flops;
   for (const unsigned seed : {1U, 2U, 3U}) {
     const double other = cost(mesh_rows(soup, shuffled(soup.positions.size() / 3, seed))).flops;
-    EXPECT_LE(std::max(flops, other) / std::min(flops, other), 1.4) << seed;
+    EXPECT_LE(std::max(flops, other) / std::min(flops, other), 1.25) << seed;
   }
 }
 

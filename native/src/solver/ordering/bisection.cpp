@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bisection.h"
 
-#include <numeric>
 #include <utility>
 
 #include "coarsening.h"
@@ -9,85 +8,100 @@
 namespace dirichlet::ordering {
 namespace {
 
-constexpr Index kNone = -1;
 constexpr Index kCoarsest = 60;
 constexpr std::size_t kMaxLevels = 40;
 
-Index heaviest_side(Index total) {
-  return total / 2 + total / 20;
-}
-
 } // namespace
 
-const std::uint8_t* Bisection::halve(const Graph& graph) {
-  const int coarsest = build_levels(graph);
-  const auto level = [&](int l) -> CoarseGraph& { return levels_[static_cast<std::size_t>(l)]; };
-  const bool connected = !part_components(level(coarsest));
-  const Index heaviest = heaviest_side(graph.size);
-  if (connected) cut_coarsest(level(coarsest), std::clamp(graph.size / 500, 2, 8), heaviest);
-  for (int l = coarsest; l >= 0; --l) {
-    const CoarseGraph& coarse = level(l);
-    const Index finer_size = l > 0 ? level(l - 1).size : graph.size;
-    std::uint8_t* finer = finer_side_.fit(finer_size);
-    for (Index v = 0; v < finer_size; ++v) finer[v] = side_[coarse.aggregate[v]];
-    std::swap(side_, finer_side_);
-    if (connected && l > 0) refiner_.refine(level(l - 1), heaviest, side_.data(), cut_);
-  }
-  return side_.data();
-}
-
-/// \returns the coarsest level: small, or one that could not be made much smaller.
-int Bisection::build_levels(const Graph& graph) {
+Division& Bisection::halve(const Graph& graph) {
   if (levels_.empty()) levels_.resize(kMaxLevels);
   coarsen(graph, scratch_, levels_[0]);
-  std::size_t l = 0;
-  while (levels_[l].size > kCoarsest && l + 1 < kMaxLevels) {
-    coarsen(levels_[l], scratch_, levels_[l + 1]);
-    if (levels_[l + 1].size > levels_[l].size / 10 * 9) break;
-    ++l;
+  // Large graphs are worth several cuts; what these share is the way down to a fifth of the first coarse graph.
+  const std::size_t shared = coarsen_from(0, std::max(kCoarsest, levels_[0].size / 5), 0);
+  if (!part_components(levels_[shared]))
+    cut_best_of(std::clamp(graph.size / 2000, 1, 10), shared, std::clamp(graph.size / 4000, 2, 8));
+  for (std::size_t l = shared; l > 0; --l) {
+    project(levels_[l], levels_[l - 1].size);
+    refiner_.refine(levels_[l - 1], now_);
   }
-  return static_cast<int>(l);
+  project(levels_[0], graph.size);
+  refiner_.refine(graph, now_);
+  return now_;
+}
+
+/// Coarsens from `level` on to a graph of `size`, or to one that could not be made much smaller. \returns its level.
+std::size_t Bisection::coarsen_from(std::size_t level, Index size, Index variant) {
+  while (levels_[level].size > size && level + 1 < kMaxLevels) {
+    coarsen(levels_[level], variant, scratch_, levels_[level + 1]);
+    if (levels_[level + 1].size > levels_[level].size / 10 * 9) break;
+    ++level;
+  }
+  return level;
 }
 
 /// If the graph is not connected, puts its components one by one, in the order of their first vertices, on the lighter
-/// side. A component heavier than all others ends up nearly alone, so this halves what is left, too.
+/// side: it may take several divisions until they are apart, but these cost no separator.
 bool Bisection::part_components(const CoarseGraph& graph) {
-  std::uint8_t* side = side_.fit(graph.size);
-  constexpr std::uint8_t kUnseen = 2;
-  std::fill_n(side, graph.size, kUnseen);
-  Index load[2] = {0, 0};
+  constexpr std::uint8_t kUnseen = kSeparator;
+  std::uint8_t* part = now_.part.fit(graph.size);
+  std::fill_n(part, graph.size, kUnseen);
+  now_.weight = {};
+  now_.cut = 0;
+  now_.boundary.clear();
   int components = 0;
   for (Index start = 0; start < graph.size; ++start) {
-    if (side[start] != kUnseen) continue;
+    if (part[start] != kUnseen) continue;
     ++components;
-    const std::uint8_t to = load[1] < load[0] ? 1 : 0;
+    const Part side = now_.weight[kRight] < now_.weight[kLeft] ? kRight : kLeft;
     queue_.assign(1, start);
-    side[start] = to;
+    part[start] = side;
     for (std::size_t head = 0; head < queue_.size(); ++head) {
       const Index v = queue_[head];
-      load[to] += graph.weight(v);
+      now_.weight[side] += graph.weight(v);
       for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e)
-        if (std::uint8_t& other = side[graph.neighbours[e]]; other == kUnseen) {
-          other = to;
-          queue_.push_back(graph.neighbours[e]);
+        if (const Index u = graph.neighbours[e]; part[u] == kUnseen) {
+          part[u] = side;
+          queue_.push_back(u);
         }
     }
   }
   return components > 1;
 }
 
-/// Grows from several seeds, the first of them at the rim, and keeps the best cut.
-void Bisection::cut_coarsest(const CoarseGraph& graph, Index tries, Index heaviest) {
-  std::uint8_t* trial = trial_.fit(graph.size);
-  cut_ = {{0, 0}, kNone};
-  for (Index t = 0; t < tries; ++t) {
-    const Index seed = t == 0 ? farthest(graph, farthest(graph, 0)) : graph.size / tries * t;
-    Cut cut = refiner_.grow(graph, seed, trial);
-    refiner_.refine(graph, heaviest, trial, cut);
-    if (cut_.edges != kNone && cut.edges >= cut_.edges) continue;
-    cut_ = cut;
-    std::copy_n(trial, graph.size, side_.data());
+/// Coarsens and cuts the graph of a level several times, each time in another way, and keeps the best.
+void Bisection::cut_best_of(Index runs, std::size_t level, Index seeds) {
+  for (Index run = 0; run < runs; ++run) {
+    const std::size_t coarsest = coarsen_from(level, kCoarsest, run);
+    cut_coarsest(levels_[coarsest], seeds);
+    for (std::size_t l = coarsest; l > level; --l) {
+      project(levels_[l], levels_[l - 1].size);
+      refiner_.refine(levels_[l - 1], now_);
+    }
+    if (run == 0 || now_.score() < best_.score()) std::swap(now_, best_);
   }
+  std::swap(now_, best_);
+}
+
+/// Grows from several seeds, the first of them at the rim, and keeps the best cut.
+void Bisection::cut_coarsest(const CoarseGraph& graph, Index seeds) {
+  for (Index k = 0; k < seeds; ++k) {
+    refiner_.grow(graph, k == 0 ? farthest(graph, farthest(graph, 0)) : graph.size / seeds * k, trial_);
+    refiner_.refine(graph, trial_);
+    if (k == 0 || trial_.score() < best_trial_.score()) std::swap(trial_, best_trial_);
+  }
+  std::swap(now_, best_trial_);
+}
+
+/// Carries now_ over from a coarse graph to the finer one it was made of.
+void Bisection::project(const CoarseGraph& coarse, Index finer_size) {
+  std::uint8_t* finer = finer_part_.fit(finer_size);
+  for (Index v = 0; v < finer_size; ++v) finer[v] = now_.part[coarse.aggregate[v]];
+  std::swap(now_.part, finer_part_);
+  finer_boundary_.clear();
+  for (const Index v : now_.boundary)
+    for (Index m = coarse.member_offsets[v]; m < coarse.member_offsets[v + 1]; ++m)
+      finer_boundary_.push_back(coarse.members[m]);
+  std::swap(now_.boundary, finer_boundary_);
 }
 
 /// The last vertex that a breadth-first search reaches.

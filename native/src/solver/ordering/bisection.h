@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "cut_refiner.h"
@@ -12,20 +11,23 @@ namespace dirichlet::ordering {
 /// & Leland 1995; Karypis & Kumar 1998). Holds its arrays for the next graph.
 class Bisection {
  public:
-  /// \returns the side, 0 or 1, of every vertex of `graph`, until the next call. Where the graph is not connected, the
-  /// sides are whole components. One side may stay empty: of a single vertex, or of a lump that nothing divides.
-  const std::uint8_t* halve(const Graph& graph);
+  /// \returns two sides of `graph`, until the next call. Where the graph is not connected, the sides are whole
+  /// components. One side may stay empty: of a single vertex, or of a lump that nothing divides.
+  Division& halve(const Graph& graph);
 
  private:
-  int build_levels(const Graph& graph);
+  std::size_t coarsen_from(std::size_t level, Index size, Index variant);
   bool part_components(const CoarseGraph& graph);
-  void cut_coarsest(const CoarseGraph& graph, Index tries, Index heaviest);
+  void cut_best_of(Index runs, std::size_t level, Index seeds);
+  void cut_coarsest(const CoarseGraph& graph, Index seeds);
+  void project(const CoarseGraph& coarse, Index finer_size);
   Index farthest(const CoarseGraph& graph, Index start);
 
-  std::vector<CoarseGraph> levels_;
+  std::vector<CoarseGraph> levels_; // the first made of the graph, each of the next of the one before
   CutRefiner refiner_;
-  Cut cut_;
-  Scratch<std::uint8_t> side_, finer_side_, trial_;
+  Division now_, best_, trial_, best_trial_;
+  Scratch<std::uint8_t> finer_part_;
+  std::vector<Index> finer_boundary_;
   Scratch<Index> scratch_;
   std::vector<Index> queue_;
 };

@@ -9,8 +9,7 @@ namespace {
 constexpr Index kNone = -1;
 constexpr Index kLargestStar = 16; // a hub with all its neighbours would be a lump that nothing can divide
 
-template <class G>
-bool may_be_centre(const G& graph, const Index* aggregate, Index v) {
+bool may_be_centre(const Graph& graph, const Index* aggregate, Index v) {
   if (aggregate[v] != kNone || graph.offsets[v + 1] - graph.offsets[v] > kLargestStar) return false;
   for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e)
     if (aggregate[graph.neighbours[e]] != kNone) return false;
@@ -18,8 +17,7 @@ bool may_be_centre(const G& graph, const Index* aggregate, Index v) {
 }
 
 /// Vertices none of whose neighbours is taken become centres and take them all.
-template <class G>
-Index gather_stars(const G& graph, Index* aggregate) {
+Index gather_stars(const Graph& graph, Index* aggregate) {
   Index count = 0;
   for (Index v = 0; v < graph.size; ++v) {
     if (!may_be_centre(graph, aggregate, v)) continue;
@@ -31,13 +29,36 @@ Index gather_stars(const G& graph, Index* aggregate) {
 }
 
 /// What stars left over joins the first neighbour that has found its place, or stays alone.
-template <class G>
-Index place_leftovers(const G& graph, Index* aggregate, Index count) {
+Index place_leftovers(const Graph& graph, Index* aggregate, Index count) {
   for (Index v = 0; v < graph.size; ++v) {
     if (aggregate[v] != kNone) continue;
     for (Index e = graph.offsets[v]; e < graph.offsets[v + 1] && aggregate[v] == kNone; ++e)
       aggregate[v] = aggregate[graph.neighbours[e]];
     if (aggregate[v] == kNone) aggregate[v] = count++;
+  }
+  return count;
+}
+
+/// A step through 0 … size - 1 that comes by every number: 1 for variant 0, else about a golden section.
+Index stride(Index size, Index variant) {
+  Index step = variant == 0 ? 1 : static_cast<Index>(size * 0.381966) + 7 * variant;
+  while (std::gcd(step, size) != 1) ++step;
+  return step;
+}
+
+/// Pairs every vertex with the free neighbour it shares the heaviest edge with.
+Index match(const CoarseGraph& graph, Index variant, Index* aggregate) {
+  const std::int64_t step = stride(graph.size, variant);
+  Index count = 0, v = 0;
+  for (Index k = 0; k < graph.size; ++k, v = static_cast<Index>((v + step) % graph.size)) {
+    if (aggregate[v] != kNone) continue;
+    Index mate = v, weight = 0;
+    for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e)
+      if (const Index u = graph.neighbours[e]; aggregate[u] == kNone && graph.edge_weight(e) > weight) {
+        weight = graph.edge_weight(e);
+        mate = u;
+      }
+    aggregate[v] = aggregate[mate] = count++;
   }
   return count;
 }
@@ -85,8 +106,9 @@ void contract(const G& fine, Index* slot, CoarseGraph& coarse) {
   offsets[coarse.size] = end;
 }
 
-template <class G>
-void coarsen_any(const G& fine, Scratch<Index>& scratch, CoarseGraph& coarse) {
+} // namespace
+
+void coarsen(const Graph& fine, Scratch<Index>& scratch, CoarseGraph& coarse) {
   Index* aggregate = coarse.aggregate.fit(fine.size);
   std::fill_n(aggregate, fine.size, kNone);
   coarse.size = place_leftovers(fine, aggregate, gather_stars(fine, aggregate));
@@ -94,14 +116,12 @@ void coarsen_any(const G& fine, Scratch<Index>& scratch, CoarseGraph& coarse) {
   contract(fine, scratch.fit(coarse.size), coarse);
 }
 
-} // namespace
-
-void coarsen(const Graph& fine, Scratch<Index>& scratch, CoarseGraph& coarse) {
-  coarsen_any(fine, scratch, coarse);
-}
-
-void coarsen(const CoarseGraph& fine, Scratch<Index>& scratch, CoarseGraph& coarse) {
-  coarsen_any(fine, scratch, coarse);
+void coarsen(const CoarseGraph& fine, Index variant, Scratch<Index>& scratch, CoarseGraph& coarse) {
+  Index* aggregate = coarse.aggregate.fit(fine.size);
+  std::fill_n(aggregate, fine.size, kNone);
+  coarse.size = match(fine, variant, aggregate);
+  list_members(fine, coarse);
+  contract(fine, scratch.fit(coarse.size), coarse);
 }
 
 } // namespace dirichlet::ordering

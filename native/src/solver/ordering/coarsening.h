@@ -5,9 +5,12 @@
 
 namespace dirichlet::ordering {
 
-/// Gathers the vertices of `fine` into connected aggregates, in meshes of about eight, and joins each into one vertex.
-/// Cost: O(vertices + edges), with two passes over the edges.
+/// Gathers vertices with all their neighbours, in meshes about eight, and joins each gathering into one vertex: quick,
+/// for large graphs. Cost: O(vertices + edges).
 void coarsen(const Graph& fine, Scratch<Index>& scratch, CoarseGraph& coarse);
-void coarsen(const CoarseGraph& fine, Scratch<Index>& scratch, CoarseGraph& coarse);
+
+/// Joins pairs of vertices that share the heaviest edges (Karypis & Kumar 1998): slower, but keeps more of the shape.
+/// \param variant different numbers, from 0 on, give different pairs. Cost: O(vertices + edges).
+void coarsen(const CoarseGraph& fine, Index variant, Scratch<Index>& scratch, CoarseGraph& coarse);
 
 } // namespace dirichlet::ordering

@@ -13,14 +13,17 @@ Index heaviest_side(const Division& division) {
   return static_cast<Index>(total * 65 / 100);
 }
 
-/// Weight of the edges from v to the other side, less that to its own.
+struct Ties {
+  Index across = 0, inside = 0; ///< weight of the edges to the other side and to the same
+  [[nodiscard]] Index gain() const { return across - inside; }
+};
+
 template <class G>
-Index gain_of_moving(const G& graph, const Division& division, Index v, bool& on_boundary) {
-  Index across = 0, inside = 0;
+Ties ties(const G& graph, const Division& division, Index v) {
+  Ties result;
   for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e)
-    (division.part[graph.neighbours[e]] == division.part[v] ? inside : across) += graph.edge_weight(e);
-  on_boundary = across > 0;
-  return across - inside;
+    (division.part[graph.neighbours[e]] == division.part[v] ? result.inside : result.across) += graph.edge_weight(e);
+  return result;
 }
 
 } // namespace
@@ -37,15 +40,20 @@ void CutRefiner::grow(const CoarseGraph& graph, Index seed, Division& division) 
   division.weight = {};
   for (Index v = 0; v < graph.size; ++v) division.weight[kRight] += graph.weight(v);
   division.cut = 0;
-  enqueue(graph, division, seed);
+  begin_pass();
+  enqueue(division, seed, ties(graph, division, seed).gain());
   for (Index v = seed; v != kNone && division.weight[kLeft] < division.weight[kRight]; v = queue_[kRight].top())
     move(graph, v, division);
-  division.boundary = touched_;
   end_pass(moved_.size(), division);
+  division.boundary = touched_;
 }
 
-void CutRefiner::refine(const CoarseGraph& graph, Division& division) { refine_any(graph, division); }
-void CutRefiner::refine(const Graph& graph, Division& division) { refine_any(graph, division); }
+void CutRefiner::refine(const CoarseGraph& graph, Division& division) {
+  refine_any(graph, division);
+}
+void CutRefiner::refine(const Graph& graph, Division& division) {
+  refine_any(graph, division);
+}
 
 template <class G>
 void CutRefiner::refine_any(const G& graph, Division& division) {
@@ -57,12 +65,9 @@ void CutRefiner::refine_any(const G& graph, Division& division) {
 /// One pass: every vertex moves at most once, then what came after the best state is taken back.
 template <class G>
 bool CutRefiner::improve(const G& graph, Division& division) {
-  bool on_boundary = false;
+  begin_pass();
   for (const Index v : division.boundary)
-    if (!queue_[division.part[v]].contains(v)) {
-      gain_of_moving(graph, division, v, on_boundary);
-      if (on_boundary) enqueue(graph, division, v);
-    }
+    if (const Ties own = ties(graph, division, v); own.across > 0) enqueue(division, v, own.gain());
   const Index heaviest = heaviest_side(division);
   const double start = division.score();
   double best = start;
@@ -83,9 +88,69 @@ bool CutRefiner::improve(const G& graph, Division& division) {
   }
   division.weight = best_weight;
   division.cut = best_cut;
-  division.boundary.clear();
   end_pass(kept, division);
+  division.boundary.clear();
+  for (const Index v : touched_)
+    if (ties(graph, division, v).across > 0) division.boundary.push_back(v);
   return best < start;
+}
+
+void CutRefiner::begin_pass() {
+  moved_.clear();
+  touched_.clear();
+}
+
+void CutRefiner::enqueue(const Division& division, Index v, Index gain) {
+  gain_[v] = gain;
+  queue_[division.part[v]].insert(v, gain);
+  touched_.push_back(v);
+}
+
+/// The best vertex to move that does not overload a side; from the heavier side when in doubt.
+template <class G>
+Index CutRefiner::choose(const G& graph, const Division& division, Index heaviest) {
+  const Part heavier = division.weight[kRight] > division.weight[kLeft] ? kRight : kLeft;
+  GainQueue& others = queue_[1 - heavier];
+  const Index load = division.weight[heavier];
+  const Index v = queue_[heavier].top();
+  while (true) {
+    const Index u = others.top();
+    if (u == kNone || load > heaviest || (v != kNone && gain_[v] >= gain_[u])) return v;
+    if (load + graph.weight(u) <= heaviest) return u;
+    if (v != kNone) return v;
+    others.remove(u);
+    locked_[u] = 1;
+  }
+}
+
+template <class G>
+void CutRefiner::move(const G& graph, Index v, Division& division) {
+  const std::uint8_t from = division.part[v], to = 1 - from;
+  queue_[from].remove(v);
+  locked_[v] = 1;
+  moved_.push_back(v);
+  division.part[v] = to;
+  division.weight[from] -= graph.weight(v);
+  division.weight[to] += graph.weight(v);
+  division.cut -= gain_[v];
+  for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
+    const Index u = graph.neighbours[e];
+    if (locked_[u] != 0) continue;
+    const bool left_behind = division.part[u] == from;
+    if (GainQueue& queue = queue_[division.part[u]]; queue.contains(u)) {
+      gain_[u] += (left_behind ? 2 : -2) * graph.edge_weight(e);
+      queue.update(u, gain_[u]);
+    } else if (left_behind) {
+      enqueue(division, u, ties(graph, division, u).gain());
+    }
+  }
+}
+
+/// Takes all moves but the first `kept` back. touched_ stays for the caller to look at.
+void CutRefiner::end_pass(std::size_t kept, Division& division) {
+  for (GainQueue& queue : queue_) queue.clear();
+  for (const Index v : touched_) locked_[v] = 0;
+  for (std::size_t k = kept; k < moved_.size(); ++k) division.part[moved_[k]] ^= 1U;
 }
 
 } // namespace dirichlet::ordering

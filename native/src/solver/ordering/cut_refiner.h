@@ -27,19 +27,19 @@ class CutRefiner {
   void refine_any(const G& graph, Division& division);
   template <class G>
   bool improve(const G& graph, Division& division);
-  template <class G>
-  void enqueue(const G& graph, const Division& division, Index v);
+  void enqueue(const Division& division, Index v, Index gain);
   template <class G>
   Index choose(const G& graph, const Division& division, Index heaviest);
   template <class G>
   void move(const G& graph, Index v, Division& division);
   void fit(Index size);
+  void begin_pass();
   void end_pass(std::size_t kept, Division& division);
 
   std::array<GainQueue, 2> queue_{GainQueue(255), GainQueue(255)}; // of the vertices on each side that may cross
   Scratch<Index> gain_;                                            // of every vertex in a queue
-  Scratch<std::uint8_t> locked_;                                   // vertices that have moved in this pass
-  std::vector<Index> moved_, touched_;                             // in this pass; touched were in a queue
+  Scratch<std::uint8_t> locked_;                                   // vertices not to move (again) in this pass
+  std::vector<Index> moved_, touched_;                             // in this pass; touched: were in a queue
 };
 
 } // namespace dirichlet::ordering

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dissection.h"
 
+#include <array>
 #include <bit>
 #include <future>
 #include <numeric>
@@ -14,7 +15,9 @@
 namespace dirichlet::ordering {
 namespace {
 
+constexpr Index kNone = -1;
 constexpr Index kSmallestTask = 20000; // vertices worth a thread
+constexpr Index kTooSmall = 1000;      // a graph that minimum degree orders as well as dissection
 constexpr unsigned kDeepest = 64;      // halves of any graph of 32-bit numbers; only lumps go deeper
 
 /// What a thread needs to dissect one graph after the other.
@@ -58,19 +61,24 @@ class Dissection {
         place_(static_cast<std::size_t>(graph.size)), order_(static_cast<std::size_t>(graph.size)) {}
 
   std::vector<Index> run() {
-    const Piece all{0, graph_.size, 0};
     std::iota(stores_[0].vertices.get(), stores_[0].vertices.get() + graph_.size, Index{0});
-    std::copy_n(graph_.offsets, graph_.size + 1, stores_[0].offsets.get());
-    std::copy_n(graph_.neighbours, graph_.offsets[graph_.size], stores_[0].neighbours.get());
+    const Piece all{0, graph_.size, 0};
     Workspace workspace;
-    dissect(all, 0, workspace);
+    if (all.size <= kTooSmall)
+      order_whole(all, 0, workspace);
+    else
+      dissect(all, 0, workspace);
     return std::move(order_);
   }
 
  private:
   void dissect(const Piece& piece, unsigned depth, Workspace& workspace);
   void dissect_both(const Piece& left, const Piece& right, unsigned depth, Workspace& workspace);
-  void order_whole(const Piece& piece, const Store& store, Workspace& workspace);
+  void order_whole(const Piece& piece, unsigned depth, Workspace& workspace);
+  [[nodiscard]] Store& store(unsigned depth) { return stores_[depth % 2]; }
+  [[nodiscard]] Graph graph(const Piece& piece, unsigned depth) {
+    return depth == 0 ? graph_ : store(depth).graph(piece);
+  }
   void settle(Index vertex, Index position) {
     place_[static_cast<std::size_t>(vertex)] = position;
     order_[static_cast<std::size_t>(position)] = vertex;
@@ -83,57 +91,58 @@ class Dissection {
   std::vector<Index> order_;
 };
 
+/// Numbers the vertices of either side and lists them. The separator gets number kNone. \returns the entries that the
+/// left side's rows have, before those of the separator are left out.
+Index number_sides(const Graph& graph, const Index* vertices, const std::uint8_t* part, std::array<Index*, 2> listed,
+                   Index* number) {
+  std::array<Index, 2> count{};
+  Index left_entries = 0;
+  for (Index v = 0; v < graph.size; ++v) {
+    number[v] = kNone;
+    if (part[v] == kSeparator) continue;
+    listed[part[v]][count[part[v]]] = vertices[v];
+    number[v] = count[part[v]]++;
+    if (part[v] == kLeft) left_entries += graph.offsets[v + 1] - graph.offsets[v];
+  }
+  return left_entries;
+}
+
+/// Copies the two sides of a graph into a store, each as a graph of its own.
 void extract(const Graph& graph, const Index* vertices, const std::uint8_t* part, Index* number, const Store& to,
-             Piece& left, Piece& right) {
-  Index count[2] = {0, 0};
-  Index edges = 0;
-  Index* child_vertices[2] = {to.vertices_of(left), to.vertices_of(right)};
+             std::array<Piece, 2>& sides) {
+  const Index left_entries =
+      number_sides(graph, vertices, part, {to.vertices_of(sides[kLeft]), to.vertices_of(sides[kRight])}, number);
+  sides[kRight].first_edge = sides[kLeft].first_edge + static_cast<std::size_t>(left_entries);
+  const std::array<Index*, 2> offsets{to.offsets_of(sides[kLeft]), to.offsets_of(sides[kRight])};
+  const std::array<Index*, 2> neighbours{to.neighbours_of(sides[kLeft]), to.neighbours_of(sides[kRight])};
+  std::array<Index, 2> end{};
   for (Index v = 0; v < graph.size; ++v) {
-    const std::uint8_t p = part[v];
-    if (p == kSeparator) {
-      number[v] = -1;
-      continue;
-    }
-    child_vertices[p][count[p]] = vertices[v];
-    number[v] = count[p]++;
-    if (p == kLeft) edges += graph.offsets[v + 1] - graph.offsets[v];
+    const std::uint8_t side = part[v];
+    if (side == kSeparator) continue;
+    offsets[side][number[v]] = end[side];
+    for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e)
+      if (const Index u = number[graph.neighbours[e]]; u != kNone) neighbours[side][end[side]++] = u;
   }
-  right.first_edge = left.first_edge + static_cast<std::size_t>(edges);
-  Index* offsets[2] = {to.offsets_of(left), to.offsets_of(right)};
-  Index* neighbours[2] = {to.neighbours_of(left), to.neighbours_of(right)};
-  Index end[2] = {0, 0};
-  for (Index v = 0; v < graph.size; ++v) {
-    const std::uint8_t p = part[v];
-    if (p == kSeparator) continue;
-    offsets[p][number[v]] = end[p];
-    Index* out = neighbours[p];
-    Index w = end[p];
-    for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-      const Index u = number[graph.neighbours[e]];
-      if (u >= 0) out[w++] = u;
-    }
-    end[p] = w;
-  }
-  offsets[0][left.size] = end[0];
-  offsets[1][right.size] = end[1];
+  for (const Part side : {kLeft, kRight}) offsets[side][sides[side].size] = end[side];
 }
 
 void Dissection::dissect(const Piece& piece, unsigned depth, Workspace& workspace) {
-  const Store& store = stores_[depth % 2];
-  if (piece.size <= kLargestLeaf || depth > kDeepest) return order_whole(piece, store, workspace);
-  const Graph graph = store.graph(piece);
-  const std::uint8_t* part = workspace.separator.separate(graph, workspace.bisection.halve(graph));
+  if (piece.size <= kLargestLeaf || depth > kDeepest) return order_whole(piece, depth, workspace);
+  const Graph graph = this->graph(piece, depth);
+  const Index* vertices = store(depth).vertices_of(piece);
+  Division& division = workspace.bisection.halve(graph);
+  workspace.separator.separate(graph, division);
+  const std::uint8_t* part = division.part.data();
   const Index left_size = workspace.separator.size(kLeft), right_size = workspace.separator.size(kRight);
-  if (left_size == 0 || right_size == 0) return order_whole(piece, store, workspace);
+  if (left_size == 0 || right_size == 0) return order_whole(piece, depth, workspace);
 
-  Piece left{piece.first_vertex, left_size, piece.first_edge};
-  Piece right{piece.first_vertex + left_size, right_size, piece.first_edge};
-  Index position = right.first_vertex + right_size;
+  std::array<Piece, 2> sides{Piece{piece.first_vertex, left_size, piece.first_edge},
+                             Piece{piece.first_vertex + left_size, right_size, piece.first_edge}};
+  Index position = piece.first_vertex + left_size + right_size;
   for (Index v = 0; v < graph.size; ++v)
-    if (part[v] == kSeparator) settle(store.vertices_of(piece)[v], position++);
-  extract(graph, store.vertices_of(piece), part, workspace.numbers.fit(graph.size), stores_[(depth + 1) % 2], left,
-          right);
-  dissect_both(left, right, depth + 1, workspace);
+    if (part[v] == kSeparator) settle(vertices[v], position++);
+  extract(graph, vertices, part, workspace.numbers.fit(graph.size), store(depth + 1), sides);
+  dissect_both(sides[kLeft], sides[kRight], depth + 1, workspace);
 }
 
 void Dissection::dissect_both(const Piece& left, const Piece& right, unsigned depth, Workspace& workspace) {
@@ -151,12 +160,12 @@ void Dissection::dissect_both(const Piece& left, const Piece& right, unsigned de
     dissect(right, depth, workspace);
 }
 
-void Dissection::order_whole(const Piece& piece, const Store& store, Workspace& workspace) {
-  const Index* vertices = store.vertices_of(piece);
+void Dissection::order_whole(const Piece& piece, unsigned depth, Workspace& workspace) {
+  const Index* vertices = store(depth).vertices_of(piece);
   const Index first = piece.first_vertex;
   if (piece.size > kLargestLeaf) {
     Index* order = workspace.numbers.fit(piece.size);
-    order_lump(store.graph(piece), order);
+    order_lump(graph(piece, depth), order);
     for (Index k = 0; k < piece.size; ++k) settle(vertices[order[k]], first + k);
   } else {
     for (Index k = 0; k < piece.size; ++k) settle(vertices[k], first + k);
