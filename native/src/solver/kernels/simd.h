@@ -48,16 +48,23 @@ struct Simd {
 
   DIRICHLET_INLINE static void store(Real* to, const Vector& v) { std::memcpy(to, &v, sizeof v); }
 
-  /// Stores all lanes but the first `kept`, whose numbers in memory stay.
-  DIRICHLET_INLINE static void store_behind(Real* to, const Vector& v, Size kept) {
+  /// `front` in the first `count` lanes, `back` in the others.
+  DIRICHLET_INLINE static Vector join(const Vector& front, const Vector& back, Size count) {
     if constexpr (kLanes == 1) {
-      if (kept < 1) store(to, v);
+      return count < 1 ? back : front;
     } else {
       constexpr Real kNumber[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-      const Vector old = load(to);
-      store(to, load(kNumber) < static_cast<Real>(kept) ? old : v);
+      return load(kNumber) < static_cast<Real>(count) ? front : back;
     }
   }
+
+  /// Stores all lanes but the first `kept`, whose numbers in memory stay.
+  DIRICHLET_INLINE static void store_behind(Real* to, const Vector& v, Size kept) {
+    store(to, join(load(to), v, kept));
+  }
+
+  /// Loads all lanes but the first `left`, which are 0.
+  DIRICHLET_INLINE static Vector load_behind(const Real* from, Size left) { return join(Vector{}, load(from), left); }
 
   DIRICHLET_INLINE static Real sum(const Vector& v) {
     if constexpr (kLanes == 1) {

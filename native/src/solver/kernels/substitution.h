@@ -73,22 +73,20 @@ void forward_vector(const Real* l, Size m, Size w, Size ld, Real* x1, Real* x2) 
   });
 }
 
-/// result[n] −= column n of L (rows, N) · x
+/// Adds to sum[n] column n of L (rows, N) times x, lane by lane; what is too short for a vector goes to `result`
+/// itself.
 template <class S, int N, class Real>
-DIRICHLET_INLINE void subtract_dots(Tile<Scalar<Real>, 1, N>& result, Size rows, const Real* l, Size ld,
-                                    const Real* x) {
-  Size i = 0;
-  if (rows >= S::kLanes) {
-    typename S::Vector sum[N] = {};
-    for (; i + S::kLanes <= rows; i += S::kLanes) {
-      const typename S::Vector part = S::load(x + i);
-      DIRICHLET_UNROLL
-      for (int n = 0; n < N; ++n) sum[n] += S::load(l + i + n * ld) * part;
-    }
+DIRICHLET_INLINE void add_products(typename S::Vector (&sum)[N], Tile<Scalar<Real>, 1, N>& result, Size rows,
+                                   const Real* l, Size ld, const Real* x) {
+  if (rows < S::kLanes) return result.subtract(x, 1, l, 1, ld, rows);
+  const auto add = [&](Size i, const typename S::Vector& part) {
     DIRICHLET_UNROLL
-    for (int n = 0; n < N; ++n) result.value[n][0] -= S::sum(sum[n]);
-  }
-  result.subtract(x + i, 1, l + i, 1, ld, rows - i);
+    for (int n = 0; n < N; ++n) sum[n] += S::load(l + i + n * ld) * part;
+  };
+  Size i = 0;
+  for (; i + S::kLanes <= rows; i += S::kLanes) add(i, S::load(x + i));
+  const Size last = rows - S::kLanes;
+  if (i < rows) add(last, S::load_behind(x + last, i - last));
 }
 
 template <class S, class Real>
@@ -96,8 +94,11 @@ void backward_vector(const Real* l, Size m, Size w, Size ld, Real* x1, const Rea
   for_columns_backwards(0, w, [&]<int N>(Count<N>, Size j) {
     const Real* const column = l + j * ld;
     Tile<Scalar<Real>, 1, N> tile(x1 + j, 1);
-    subtract_dots<S>(tile, w - j - N, column + j + N, ld, x1 + j + N);
-    subtract_dots<S>(tile, m - w, column + w, ld, x2);
+    typename S::Vector sum[N] = {};
+    add_products<S>(sum, tile, m - w, column + w, ld, x2);
+    add_products<S>(sum, tile, w - j - N, column + j + N, ld, x1 + j + N);
+    DIRICHLET_UNROLL
+    for (int n = 0; n < N; ++n) tile.value[n][0] -= S::sum(sum[n]);
     tile.divide(Triangle<Real, N>(column + j, ld));
     tile.store(x1 + j, 1, 0);
   });
