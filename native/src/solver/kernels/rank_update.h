@@ -56,7 +56,7 @@ void update_block(Real* c, Size ldc, const Real* packed, Size columns, const Rea
     });
   }
   for_columns(0, columns, [&]<int N>(Count<N>, Size j) {
-    update_columns<S, N>(c + j * ldc, ldc, i > j ? i : j, r, a, lda, packed + j * depth, N, depth);
+    update_columns<S, N>(c + j * ldc, ldc, i, r, a, lda, packed + j * depth, N, depth);
   });
 }
 
