@@ -140,7 +140,7 @@ testing::AssertionResult splits(std::size_t corner_count, const std::vector<Inde
   for (const auto& [ends, uses] : half_edges) {
     const auto [a, b] = ends;
     const bool side = b == (a + 1) % static_cast<Index>(corner_count);
-    if (uses != 1 || (!side && half_edges.count({b, a}) == 0))
+    if (uses != 1 || (!side && !half_edges.contains({b, a})))
       return testing::AssertionFailure() << "edge " << a << " " << b << " used " << uses << " times";
   }
   return testing::AssertionSuccess();
