@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <string>
 #include <thread>
@@ -108,7 +107,6 @@ template <class Real>
 class SolverKernels : public testing::Test {
  protected:
   static constexpr double kEpsilon = std::numeric_limits<Real>::epsilon();
-  /// Calls f(kernels) for every set.
   template <class F>
   void for_sets(const F& f) {
     for (const InstructionSet set : supported_sets()) {
@@ -149,14 +147,14 @@ TYPED_TEST(SolverKernels, name_the_first_pivot_that_is_not_a_positive_normal_num
 }
 
 TYPED_TEST(SolverKernels, find_an_indefinite_panel_that_has_a_positive_diagonal) {
-  this->for_sets([&](const auto& kernels) {
+  this->for_sets([](const auto& kernels) {
     Matrix<TypeParam> A = random_panel<TypeParam>(30, 20, 0);
     A(17, 11) = 100;
     EXPECT_EQ(kernels.factor_panel(A.entry.data(), A.rows, A.columns, A.ld), 17);
   });
 }
 
-/// C (r, r) − A Aᵀ in doubles, and what the kernel has to meet it to.
+/// C (r, r) − A Aᵀ in doubles.
 template <class Real>
 Matrix<double> plain_update(const Matrix<Real>& C, const Matrix<Real>& A) {
   Matrix<double> result(C.rows, C.columns, 0);
@@ -181,11 +179,12 @@ TYPED_TEST(SolverKernels, update_a_lower_triangle_like_plain_loops) {
   std::vector<std::pair<Index, Index>> sizes{{96, 191}, {97, 192}, {200, 193}, {191, 400}, {301, 24}};
   for (const Index w : kWidths)
     for (const Index r : kHeights) sizes.emplace_back(r, w);
-  for (const auto& [r, w] : sizes)
+  for (const auto& size : sizes)
     for (const Index gap : {0, 5}) {
+      const Index r = size.first, w = size.second;
       const Matrix<TypeParam> A = random_matrix<TypeParam>(r, w, gap), before = random_lower<TypeParam>(r, gap);
       const Matrix<double> expected = plain_update(before, A);
-      this->for_sets([&, r = r, w = w](const auto& kernels) {
+      this->for_sets([&](const auto& kernels) {
         Matrix<TypeParam> C = before;
         kernels.rank_update(C.entry.data(), C.ld, A.entry.data(), A.ld, r, w, 0, r);
         expect_lower(C, expected, 4 * this->kEpsilon * (w + 1), "triangle");
@@ -194,8 +193,9 @@ TYPED_TEST(SolverKernels, update_a_lower_triangle_like_plain_loops) {
 }
 
 TYPED_TEST(SolverKernels, give_the_same_bits_however_the_columns_are_split_and_touch_no_other) {
-  for (const auto& [r, w] : {std::pair<Index, Index>{6, 3}, {29, 17}, {230, 50}, {150, 300}})
-    this->for_sets([&, r = r, w = w](const auto& kernels) {
+  for (const auto& size : {std::pair<Index, Index>{6, 3}, {29, 17}, {230, 50}, {150, 300}})
+    this->for_sets([&](const auto& kernels) {
+      const Index r = size.first, w = size.second;
       const Matrix<TypeParam> A = random_matrix<TypeParam>(r, w);
       const Matrix<TypeParam> before = random_lower<TypeParam>(r, 0);
       Matrix<TypeParam> whole = before;
@@ -212,8 +212,9 @@ TYPED_TEST(SolverKernels, give_the_same_bits_however_the_columns_are_split_and_t
 }
 
 TYPED_TEST(SolverKernels, factor_wide_panels_with_the_same_bits_in_any_number_of_pieces_and_threads) {
-  for (const auto& [m, w] : {std::pair<Index, Index>{40, 33}, {130, 130}, {301, 201}, {700, 260}})
-    this->for_sets([&, m = m, w = w](const auto& kernels) {
+  for (const auto& size : {std::pair<Index, Index>{40, 33}, {130, 130}, {301, 201}, {700, 260}})
+    this->for_sets([&](const auto& kernels) {
+      const Index m = size.first, w = size.second;
       const Matrix<TypeParam> A = random_panel<TypeParam>(m, w, 1);
       Matrix<TypeParam> one = A;
       ASSERT_EQ(factor_panel(kernels, one.entry.data(), m, w, one.ld, 1, serially), w);

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 #include "dirichlet/array.h"
 
 namespace dirichlet {
 
 /// Instructions the kernels are compiled for; each set contains those before it.
-enum class InstructionSet {
+enum class InstructionSet : std::uint8_t {
   baseline, ///< what every processor of the architecture has: SSE2, NEON
   avx2,     ///< with FMA
   avx512,   ///< F and VL
