@@ -146,7 +146,8 @@ void Dissection::dissect(const Piece& piece, unsigned depth, Workspace& workspac
 }
 
 void Dissection::dissect_both(const Piece& left, const Piece& right, unsigned depth, Workspace& workspace) {
-  const bool fork = right.size >= kSmallestTask && threads_ > 1 && depth <= std::bit_width(threads_);
+  const auto deepest = static_cast<unsigned>(std::bit_width(threads_)); // its type is another before GCC 13
+  const bool fork = right.size >= kSmallestTask && threads_ > 1 && depth <= deepest;
   std::future<void> other;
   const auto dissect_right = [&] {
     Workspace own;
