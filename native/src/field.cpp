@@ -50,8 +50,11 @@ std::vector<std::array<Index, 2>> find_repeats(std::span<const Index> painted, I
 
 template <class Numbers>
 void check_finite(const Numbers& numbers, const char* what, const char* where) {
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (!std::isfinite(numbers[i])) throw InputError(message(what, " at ", where, ' ', i, " is ", numbers[i]));
+  const auto bad = [](double x) { return !std::isfinite(x); };
+  const auto first = std::find_if(numbers.begin(), numbers.end(), bad);
+  if (first != numbers.end())
+    throw InputError(message(what, " at ", where, ' ', first - numbers.begin(), " is ", *first,
+                             and_more(std::count_if(first, numbers.end(), bad) - 1, where)));
 }
 
 /// The power of two that brings the largest number of a column to [1/2, 1), so that no sum can overflow; exact to undo.

@@ -20,7 +20,9 @@ std::string message(const Parts&... parts) {
 template <class Count>
 std::string and_more(Count count, std::string_view noun) {
   if (count <= 0) return {};
-  return message(" (and ", count, " more ", noun, count == 1 ? "" : "s", ")");
+  std::string name(noun);
+  if (count != 1) name = noun == "vertex" ? "vertices" : name + "s";
+  return message(" (and ", count, " more ", name, ")");
 }
 
 } // namespace dirichlet

@@ -8,7 +8,9 @@
 #include <Eigen/OrderingMethods>
 
 #include "dirichlet/error.h"
+#include "for_row.h"
 #include "message.h"
+#include "parallel.h"
 #include "solver/factor.h"
 #include "solver/ordering.h"
 #include "stopwatch.h"
@@ -26,11 +28,21 @@ Graph graph_of(const SparseMatrix& K) {
           {K.innerIndexPtr(), static_cast<std::size_t>(K.nonZeros())}};
 }
 
+/// Entries of the lower triangle of the injected twin.
+std::int64_t count_injected(const SparseMatrix& K, const Mask& mask) {
+  const auto fixed = [&](Index i) { return mask[static_cast<std::size_t>(i)] != 0; };
+  std::int64_t count = 0;
+  for (Index i = 0; i < K.rows(); ++i)
+    for_row(K, i, [&](Index j, double) { count += j == i || (j < i && !fixed(i) && !fixed(j)); });
+  return count;
+}
+
 /// Dissection pays on large surfaces; on small ones minimum degree is as good and quicker.
 std::vector<Index> elimination_order(const SparseMatrix& K) {
   constexpr Index kSmall = 50'000;
   const Graph graph = graph_of(K);
-  if (K.rows() > kSmall) return fill_reducing_order(graph.offsets, graph.neighbours);
+  if (K.rows() > kSmall)
+    return fill_reducing_order(graph.offsets, graph.neighbours, static_cast<unsigned>(core_count()));
   const Eigen::Map<const SymmetricMatrix> columns(K.rows(), K.cols(), K.nonZeros(), K.outerIndexPtr(),
                                                   K.innerIndexPtr(), K.valuePtr()); // rows are columns by symmetry
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> order;
@@ -45,9 +57,9 @@ class DirectSolver final : public Solver {
     symbolic_ = std::make_shared<const SymbolicFactor>(analyse(graph_of(K), elimination_order(K)));
     FrontMatrix matrix = arrange(K, *symbolic_);
     statistics_.unknowns = count_free(mask);
-    statistics_.nonzeros = static_cast<std::int64_t>(matrix.values.size());
+    statistics_.nonzeros = count_injected(K, mask);
     statistics_.factor_nonzeros = symbolic_->factor_size();
-    factor_ = std::make_unique<Factor<double>>(symbolic_, std::move(matrix), 0);
+    factor_ = std::make_unique<Factor<double>>(symbolic_, std::move(matrix), 0); // nothing is repainted yet
     Mask fixed(mask.size());
     for (std::size_t v = 0; v < mask.size(); ++v) fixed[static_cast<std::size_t>(symbolic_->position[v])] = mask[v];
     factor_->factor(fixed);

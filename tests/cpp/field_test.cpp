@@ -11,6 +11,7 @@
 
 #include "dirichlet/error.h"
 #include "mesh_makers.h"
+#include "parallel.h"
 #include "refusal.h"
 
 namespace dirichlet {
@@ -199,6 +200,20 @@ TEST(Field, the_report_counts_what_was_solved) {
 TEST(Field, one_vertex_painted_twice_with_one_value_is_fine) {
   const auto mesh = make_mesh(makers::grid(3, 3));
   EXPECT_EQ(solve(*mesh, {0, 15, 0}, column({1, 2, 1})), solve(*mesh, {0, 15}, column({1, 2})));
+}
+
+TEST(Field, of_a_mesh_large_enough_for_dissection_is_right_and_the_same_on_one_thread) {
+  const auto mesh = make_mesh(makers::torus(260, 200));
+  const std::vector<Index> painted{0, 777, 26'100};
+  const auto solve_all = [&] { return HarmonicSolver(*mesh, painted).solve(column({0, 1, 2})); };
+  const Field field = solve_all();
+  EXPECT_LE(field.report.relative_residual, 1e-10);
+  EXPECT_GE(field.values.minCoeff(), 0);
+  EXPECT_LE(field.values.maxCoeff(), 2);
+  thread_limit = 1;
+  const Field alone = solve_all();
+  thread_limit = 0;
+  EXPECT_EQ(field.values, alone.values);
 }
 
 TEST(FieldRefuses, paint_that_makes_no_sense_naming_it) {

@@ -5,7 +5,7 @@ import json
 
 import numpy as np
 import pytest
-from dirichlet_surface import HarmonicSolver, Mesh, solve
+from dirichlet_surface import HarmonicSolver, InputError, Mesh, solve
 from mesh_makers import ZOO, Soup, adjacency, cylinder, grid, joined, renumbered, sphere
 from numpy.testing import assert_allclose, assert_array_equal
 from paintings import random_paint, reference_field
@@ -242,3 +242,8 @@ def test_a_solver_outlives_its_mesh():
     solver = HarmonicSolver(mesh, vertices)
     del mesh
     assert_array_equal(solver.solve(values), field_of(soup, vertices, values))
+
+
+def test_no_values_for_a_painted_vertex_is_refused():
+    with pytest.raises(InputError, match="0 values were given for 1 painted"):
+        field_of(grid(3, 3), [0], [])

@@ -93,3 +93,9 @@ def test_a_point_where_the_field_is_undefined_is_refused():
     values = solve(soup.mesh(), [0, 1], [0.0, 1.0]).values
     with pytest.raises(InputError):
         level_through_point(soup.mesh(), values, [11, 1, 0])
+
+
+@pytest.mark.parametrize("count", [0, -1, 2.5, "3", 10**10])
+def test_a_number_of_levels_that_is_none_is_refused(count):
+    with pytest.raises(InputError, match="the number of levels"):
+        even_levels(0, 1, count)

@@ -17,7 +17,7 @@ struct SolveReport {
   Index vertices = 0;
   Index painted = 0;                ///< distinct painted vertices
   Index unknowns = 0;               ///< free vertices that have an equation
-  std::int64_t nonzeros = 0;        ///< of the injected matrix, as the method stores it
+  std::int64_t nonzeros = 0;        ///< of the injected matrix; direct: of its lower triangle
   std::int64_t factor_nonzeros = 0; ///< numbers stored for the factor; 0 for an iterative method
   Index iterations = 0;             ///< 0 for a direct method
   double relative_residual = 0;     ///< ‖rhs − Kφ‖ / ‖rhs‖ over the free vertices, the worst column

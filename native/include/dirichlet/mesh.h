@@ -48,7 +48,8 @@ class Mesh {
   /// \param corners    (C,) vertex of every corner, in [0, V); copied, since a later write could break the mesh.
   /// \throws InputError     wrong lengths, no faces, a number that is not finite, an index out of range
   /// \throws TopologyError  a face with fewer than three vertices or one twice
-  /// Cost: O(V + C), counting sorts only; two threads above 2^16 corners.
+  /// Cost: O(V + C) by counting sorts, but for vertices of many edges, whose k edges take O(k log k); all cores on
+  /// large meshes.
   Mesh(SharedArray<double> positions, std::span<const Index> offsets, std::span<const Index> corners);
 
   /// Faces of one size: (F, corners_per_face). Else as above.

@@ -26,7 +26,7 @@ struct SolverOptions {
 
 struct SolverStatistics {
   Index unknowns = 0;               ///< free vertices
-  std::int64_t nonzeros = 0;        ///< of the injected matrix, as the method stores it
+  std::int64_t nonzeros = 0;        ///< of the injected matrix; direct: of its lower triangle
   std::int64_t factor_nonzeros = 0; ///< numbers stored for L; 0 for an iterative method
   double inject_seconds = 0;        ///< building the injected matrix
   double factor_seconds = 0;        ///< ordering and factorisation

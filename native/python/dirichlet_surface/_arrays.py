@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What callers pass, as the exact arrays the compiled module takes; no copy where type and layout already fit."""
 
+import operator
 from typing import Any
 
 import numpy as np
@@ -39,6 +40,17 @@ def as_reals(values: ArrayLike, what: str) -> Reals:
     if array.dtype.kind not in "fiub":
         raise InputError(f"{what} have to be real numbers, not {array.dtype}")
     return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def as_count(value: Any, what: str, most: int) -> int:
+    """A whole number from 1 to `most`."""
+    try:
+        count = operator.index(value)
+    except TypeError:
+        raise InputError(f"{what} has to be a whole number, not {value!r}") from None
+    if not 1 <= count <= most:
+        raise InputError(f"{what} is {count}, but has to be from 1 to {most}")
+    return count
 
 
 def require_shape(array: NDArray[Any], shape: tuple[int | None, ...], what: str) -> None:

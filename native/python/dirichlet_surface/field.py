@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._arrays import Indices, Reals, as_indices, as_reals, require_shape
+from ._arrays import Indices, Reals, as_count, as_indices, as_reals, require_shape
 from ._native import InputError
 from .mesh import Mesh
 
@@ -28,7 +28,7 @@ class SolveReport:
     unknowns: int
     """free vertices that have an equation"""
     nonzeros: int
-    """of the injected matrix, as the method stores it"""
+    """of the injected matrix; direct: of its lower triangle"""
     factor_nonzeros: int
     iterations: int
     """0 for a direct method"""
@@ -99,6 +99,8 @@ class HarmonicSolver:
                 raise InputError(f"there is no {what} {name!r}; choose from: {', '.join(kinds)}")
         painted = as_indices(vertices, "painted vertices")
         require_shape(painted, (None,), "painted vertices")
+        if max_iterations is not None:
+            max_iterations = as_count(max_iterations, "max_iterations", 2**31 - 1)
         self._choice: dict[str, Any] = {"laplacian": laplacian, "method": method}
         self._native = _native.HarmonicSolver(mesh, painted, method == "direct", tolerance, max_iterations)
         self._report: SolveReport | None = None
@@ -119,7 +121,7 @@ class HarmonicSolver:
         if source is not None:
             forcing = as_reals(source, "sources")
             require_shape(forcing, (None,), "sources")
-        field, report = self._native.solve(columns.reshape(columns.shape[0], -1), forcing)
+        field, report = self._native.solve(columns[:, None] if columns.ndim == 1 else columns, forcing)
         self._report = SolveReport(**self._choice, **report)
         return field[:, 0] if columns.ndim == 1 else field
 

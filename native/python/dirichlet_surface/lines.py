@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._arrays import Indices, Reals, as_reals, require_shape
+from ._arrays import Indices, Reals, as_count, as_reals, require_shape
 from .mesh import Mesh
 
 
@@ -80,7 +80,7 @@ def _level_warnings(field: Reals, levels: Reals) -> tuple[str, ...]:
 
 def even_levels(low: float, high: float, count: int) -> Reals:
     """`count` levels spread evenly inside the window: low + (k + ½)(high − low)/count; none at its ends."""
-    return _native.even_levels(low, high, count)
+    return _native.even_levels(low, high, as_count(count, "the number of levels", 1_000_000))
 
 
 def stepped_levels(low: float, high: float, step: float, phase: float = 0.0) -> Reals:

@@ -40,8 +40,8 @@ PlyEncoding read_encoding(TextScanner& in) {
 
 PlyElement read_element(TextScanner& in) {
   const std::string name(in.word());
-  const std::int64_t count = in.whole(in.word(), "the number of " + name + " elements");
-  if (count < 0) in.fail("the number of ", name, " elements is ", count);
+  const std::int64_t count = in.whole(in.word(), "the number of " + quoted(name) + " elements");
+  if (count < 0) in.fail("the number of ", quoted(name), " elements is ", count);
   return {name, static_cast<std::size_t>(count), {}};
 }
 
@@ -71,7 +71,7 @@ void check_promises(const TextScanner& in, const PlyHeader& header) {
   for (const PlyElement& element : header.elements) {
     const std::size_t least = least_size(element, header.encoding);
     if (least > 0 && element.count > (in.remaining() + 1) / least) // the last blank may be missing
-      in.fail("the header promises ", element.count, " ", element.name, " elements, but only ", in.remaining(),
+      in.fail("the header promises ", element.count, " ", quoted(element.name), " elements, but only ", in.remaining(),
               " bytes follow");
   }
 }

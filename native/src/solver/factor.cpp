@@ -2,6 +2,7 @@
 #include "solver/factor.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 
 #include "dirichlet/error.h"
