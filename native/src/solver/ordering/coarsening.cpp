@@ -41,16 +41,16 @@ Index place_leftovers(const Graph& graph, Index* aggregate, Index count) {
 
 /// A step through 0 … size - 1 that comes by every number: 1 for variant 0, else about a golden section.
 Index stride(Index size, Index variant) {
-  Index step = variant == 0 ? 1 : static_cast<Index>(size * 0.381966) + 7 * variant;
+  Index step = (variant == 0 ? 1 : static_cast<Index>(size * 0.381966) + 7 * variant) % size;
   while (std::gcd(step, size) != 1) ++step;
   return step;
 }
 
 /// Pairs every vertex with the free neighbour it shares the heaviest edge with.
 Index match(const CoarseGraph& graph, Index variant, Index* aggregate) {
-  const std::int64_t step = stride(graph.size, variant);
+  const Index step = stride(graph.size, variant);
   Index count = 0, v = 0;
-  for (Index k = 0; k < graph.size; ++k, v = static_cast<Index>((v + step) % graph.size)) {
+  for (Index k = 0; k < graph.size; ++k, v += v < graph.size - step ? step : step - graph.size) {
     if (aggregate[v] != kNone) continue;
     Index mate = v, weight = 0;
     for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e)
@@ -74,34 +74,38 @@ void list_members(const G& fine, CoarseGraph& coarse) {
   for (Index v = fine.size; v-- > 0;) members[--offsets[coarse.aggregate[v]]] = v;
 }
 
-/// The rows of the coarse graph. slot[b] is where the row under way holds b, if not below where that row starts.
+/// The rows of the coarse graph. slot[b] is where the row under way holds b, if not below where that row starts. The
+/// loop over edges is the most expensive of all dissection and has no branch that could be mispredicted: edges inside
+/// the aggregate are written, too, to a place beyond all rows.
 template <class G>
 void contract(const G& fine, Index* slot, CoarseGraph& coarse) {
+  const Index beyond = fine.offsets[fine.size];
   Index* offsets = coarse.offsets.fit(coarse.size + 1);
-  Index* neighbours = coarse.neighbours.fit(fine.offsets[fine.size]);
-  Index* edge_weights = coarse.edge_weights.fit(fine.offsets[fine.size]);
+  Index* neighbours = coarse.neighbours.fit(beyond + 1);
+  Index* edge_weights = coarse.edge_weights.fit(beyond + 1);
   Index* weights = coarse.weights.fit(coarse.size);
   const Index* aggregate = coarse.aggregate.data();
   std::fill_n(slot, coarse.size, kNone);
+  edge_weights[beyond] = 0;
   Index end = 0;
   for (Index a = 0; a < coarse.size; ++a) {
     const Index begin = offsets[a] = end;
     weights[a] = 0;
+    slot[a] = beyond;
     for (Index m = coarse.member_offsets[a]; m < coarse.member_offsets[a + 1]; ++m) {
       const Index v = coarse.members[m];
       weights[a] += fine.weight(v);
       for (Index e = fine.offsets[v]; e < fine.offsets[v + 1]; ++e) {
         const Index b = aggregate[fine.neighbours[e]];
-        if (b == a) continue;
-        if (slot[b] >= begin) {
-          edge_weights[slot[b]] += fine.edge_weight(e);
-        } else {
-          slot[b] = end;
-          neighbours[end] = b;
-          edge_weights[end++] = fine.edge_weight(e);
-        }
+        const bool met = slot[b] >= begin;
+        const Index place = met ? slot[b] : end;
+        edge_weights[place] = (met ? edge_weights[place] : 0) + fine.edge_weight(e);
+        neighbours[place] = b;
+        slot[b] = place;
+        end += static_cast<Index>(!met);
       }
     }
+    slot[a] = kNone;
   }
   offsets[coarse.size] = end;
 }

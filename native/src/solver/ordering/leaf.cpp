@@ -34,16 +34,16 @@ class Halo {
 
 struct Row {
   Bits inside, outside;
-  [[nodiscard]] int degree() const { return std::popcount(inside) + std::popcount(outside); }
+  int degree;
+  void count() { degree = std::popcount(inside) + std::popcount(outside); }
 };
 
 std::size_t minimum_degree(const std::array<Row, kWord>& rows, Bits left) {
   std::size_t best = 0;
   for (int least = 2 * static_cast<int>(kWord); left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    const int degree = rows[i].degree();
-    if (degree < least) {
-      least = degree;
+    if (rows[i].degree < least) {
+      least = rows[i].degree;
       best = i;
     }
   }
@@ -64,17 +64,19 @@ void order_leaf(const Graph& graph, std::span<const Index> vertices, const Index
       else
         rows[i].outside |= halo.find(u);
     }
+  for (Row& row : rows) row.count();
 
   Bits left = vertices.size() == kWord ? ~Bits{0} : bit(vertices.size()) - 1;
   for (std::size_t step = 0; step < vertices.size(); ++step) {
     const std::size_t pivot = minimum_degree(rows, left);
     order[step] = vertices[pivot];
     left &= ~bit(pivot);
-    const Row clique = {rows[pivot].inside & left, rows[pivot].outside};
-    for (Bits rest = clique.inside; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      rows[i].inside = (rows[i].inside | clique.inside) & left & ~bit(i);
-      rows[i].outside |= clique.outside;
+    const Bits inside = rows[pivot].inside & left, outside = rows[pivot].outside;
+    for (Bits rest = inside; rest != 0; rest &= rest - 1) {
+      Row& row = rows[static_cast<std::size_t>(std::countr_zero(rest))];
+      row.inside = (row.inside | inside) & left & ~(rest & -rest);
+      row.outside |= outside;
+      row.count();
     }
   }
 }
