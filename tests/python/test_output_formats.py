@@ -183,6 +183,20 @@ def test_writing_is_all_or_nothing(tmp_path):
     assert sorted(path.read_text() for path in tmp_path.iterdir()) == ["new", "new"]
 
 
+@pytest.mark.parametrize("parent", ["missing", "file.txt"])
+def test_a_missing_folder_is_named_before_any_writer_runs(tmp_path, parent):
+    (tmp_path / "file.txt").write_text("old")
+    with pytest.raises(InputError, match=rf"cannot write '.*x.png': there is no folder '.*{parent}'"):
+        write_all([(tmp_path / "first.txt", pytest.fail), (tmp_path / parent / "x.png", pytest.fail)])
+    assert [path.name for path in tmp_path.iterdir()] == ["file.txt"]
+
+
+def test_a_name_as_long_as_names_may_be_can_be_written(tmp_path):
+    path = tmp_path / ("x" * 251 + ".txt")
+    write_all([(path, lambda beside: beside.write_text("new"))])
+    assert path.read_text() == "new"
+
+
 def test_an_error_of_any_kind_leaves_no_temporary_file(tmp_path):
     def broken(path):
         path.write_text("half")

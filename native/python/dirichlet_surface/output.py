@@ -24,18 +24,14 @@ EXACT = "%.17g"  # reads back as the same float64
 def write_all(files: Sequence[tuple[Path, Callable[[Path], None]]]) -> None:
     """Calls every writer with a path beside its target and, when all are through, renames them into place.
 
-    Raises InputError naming the target that cannot be written, or that two files share; then no target is touched.
+    Raises InputError naming the target that cannot be written, or that two files share. Then no target is touched,
+    unless it is a renaming that fails: the targets before that one are new already.
     """
-    places = [target.resolve() for target, _ in files]
-    for number, (target, _) in enumerate(files):
-        if places[number] in places[:number]:
-            raise InputError(f"two outputs go to '{target}'")
-    beside = [target.with_name(f".{os.getpid()}-{number}-{target.name}") for number, (target, _) in enumerate(files)]
+    _check_targets([target for target, _ in files])
+    beside = [target.with_name(f".{os.getpid()}-{number}{target.suffix}") for number, (target, _) in enumerate(files)]
     target = Path()
     try:
         for (target, write), path in zip(files, beside):
-            if target.is_dir():
-                raise InputError(f"cannot write '{target}': it is a folder")
             write(path)
         for (target, _), path in zip(files, beside):
             os.replace(path, target)
@@ -44,6 +40,19 @@ def write_all(files: Sequence[tuple[Path, Callable[[Path], None]]]) -> None:
     finally:
         for path in beside:
             path.unlink(missing_ok=True)
+
+
+def _check_targets(targets: Sequence[Path]) -> None:
+    """Before any writer runs, since some would make a missing folder."""
+    places: set[Path] = set()
+    for target in targets:
+        if target.resolve() in places:
+            raise InputError(f"two outputs go to '{target}'")
+        if os.path.isdir(target):
+            raise InputError(f"cannot write '{target}': it is a folder")
+        if not os.path.isdir(target.parent):  # unlike Path.is_dir, False for what may not be looked at
+            raise InputError(f"cannot write '{target}': there is no folder '{target.parent}'")
+        places.add(target.resolve())
 
 
 def write_field_npy(mesh: Mesh, field: Field, path: Path) -> None:
