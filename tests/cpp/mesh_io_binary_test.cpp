@@ -113,8 +113,8 @@ TEST_F(PlyFile, a_header_that_names_the_wrong_byte_order_is_refused) {
 
 TEST_F(PlyFile, a_header_that_promises_more_than_the_file_holds_is_refused_before_memory_is_asked_for) {
   for (const std::string format : {"ascii", "binary_little_endian"}) {
-    EXPECT_REFUSED(read("a.ply", header(format, "100000000000") + points()), InputError, "100000000000 vertex");
-    EXPECT_REFUSED(read("a.ply", header(format, "3", "100000000000") + points()), InputError, "100000000000 face");
+    EXPECT_REFUSED(read("a.ply", header(format, "100000000000") + points()), InputError, "100000000000 'vertex'");
+    EXPECT_REFUSED(read("a.ply", header(format, "3", "100000000000") + points()), InputError, "100000000000 'face'");
     EXPECT_REFUSED(read("a.ply", header(format, "-3") + points()), InputError, "line 3", "-3");
     EXPECT_REFUSED(read("a.ply", header(format, "99999999999999999999") + points()), InputError, "line 3");
   }
