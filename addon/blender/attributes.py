@@ -30,20 +30,24 @@ def require_names(obj: bpy.types.Object) -> None:
 
 
 def write(mesh: bpy.types.Mesh, values: NDArray[np.float64], colors: NDArray[np.float32]) -> None:
-    """values (V,), colors (V, 4) linear. Makes the colours active, for display and for rendering."""
-    for name, data_type in _TYPES.items():
-        if name not in mesh.attributes:
-            mesh.attributes.new(name, data_type, "POINT")
+    """values (V,), and colors as `write_colors` takes them."""
+    _require(mesh, FIELD)
     mesh.attributes[FIELD].data.foreach_set("value", values.astype(np.float32))
     write_colors(mesh, colors)
-    mesh.color_attributes.active_color_name = COLOR
-    mesh.color_attributes.render_color_index = mesh.color_attributes.find(COLOR)
 
 
 def write_colors(mesh: bpy.types.Mesh, colors: NDArray[np.float32]) -> None:
-    """colors (V, 4), of a mesh that has the attribute."""
+    """colors (V, 4) linear. Makes them active, for display and for rendering."""
+    _require(mesh, COLOR)
     mesh.attributes[COLOR].data.foreach_set("color", colors.ravel())
+    mesh.color_attributes.active_color_name = COLOR
+    mesh.color_attributes.render_color_index = mesh.color_attributes.find(COLOR)
     mesh.update()
+
+
+def _require(mesh: bpy.types.Mesh, name: str) -> None:
+    if name not in mesh.attributes:
+        mesh.attributes.new(name, _TYPES[name], "POINT")
 
 
 def has_field(mesh: bpy.types.Mesh) -> bool:

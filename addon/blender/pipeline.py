@@ -124,18 +124,26 @@ def make_isolines(obj: bpy.types.Object, *, progress: Progress = lambda done: No
 
 def update_colors(obj: bpy.types.Object) -> None:
     """Writes `dirichlet_color` anew from the field that the mesh carries and the ramp as it is now."""
-    values = attributes.read_field(obj.data)
+    meshes.require_mesh(obj)
     attributes.require_names(obj)
-    attributes.write(obj.data, values, ramp.colors(obj, values, ramp.limits(values)))
+    values = attributes.read_field(obj.data)
+    attributes.write_colors(obj.data, ramp.colors(obj, values, ramp.limits(values)))
 
 
 def apply_preset(obj: bpy.types.Object) -> None:
-    """Puts the chosen preset's stops into the ramp of the object's field material, and the colours through it."""
+    """Puts the chosen preset's stops into the ramp of the object's field material, and the colours through it.
+
+    In Edit Mode the mesh cannot be written, so its colours wait for Update Colors.
+    """
     node = material.find_ramp(obj)
-    if node:
-        material.set_stops(node.color_ramp, library.load("ramps").RAMPS[obj.dirichlet.ramp_preset])
-        if attributes.has_field(obj.data):
-            update_colors(obj)
+    if not node:
+        return
+    recolored = not obj.data.is_editmode and attributes.has_field(obj.data)
+    if recolored:
+        attributes.require_names(obj)
+    material.set_stops(node.color_ramp, library.load("ramps").RAMPS[obj.dirichlet.ramp_preset])
+    if recolored:
+        update_colors(obj)
 
 
 def _show(obj: bpy.types.Object, values: NDArray[np.float64]) -> list[str]:

@@ -9,7 +9,7 @@ from .. import library
 def ramp_preset_changed(settings, context) -> None:
     from ..blender import pipeline
 
-    with suppress(library.LibraryMissingError):  # the panel says so
+    with suppress(library.LibraryMissingError), suppress(*library.refusals()):  # panel and operators say so
         pipeline.apply_preset(settings.id_data)
 
 

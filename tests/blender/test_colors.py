@@ -85,6 +85,45 @@ def test_preset_replaces_the_stops_and_the_colors(addon, material, preset):
     assert np.allclose(colors_of(obj)[0][:3], stops[0][1])
 
 
+def test_preset_chosen_in_edit_mode_waits_for_update_colors(material, capfd):
+    obj = painted_grid()
+    solve()
+    before = colors_of(obj)
+    bpy.ops.object.mode_set(mode="EDIT")
+    obj.dirichlet.ramp_preset = "grey"
+    assert "Traceback" not in "".join(capfd.readouterr())
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert np.array_equal(colors_of(obj), before)
+    assert bpy.ops.dirichlet.update_colors() == {"FINISHED"}
+    assert np.allclose(colors_of(obj), ramp_colors(material.find_ramp(obj).color_ramp, field_of(obj)), atol=2e-3)
+    assert np.ptp(colors_of(obj)[:, :3], axis=1).max() < 1e-6
+
+
+def test_preset_leaves_ramp_and_colors_when_a_name_is_taken(material, pipeline, surface, capfd):
+    obj = painted_grid()
+    solve()
+    shown, colors = [tuple(stop.color) for stop in material.find_ramp(obj).color_ramp.elements], colors_of(obj)
+    obj.vertex_groups.new(name="dirichlet_color")
+    obj.dirichlet.ramp_preset = "grey"
+    assert "Traceback" not in "".join(capfd.readouterr())
+    with pytest.raises(surface.InputError, match="'dirichlet_color' of mesh 'Grid' is a vertex group"):
+        pipeline.apply_preset(obj)
+    assert [tuple(stop.color) for stop in material.find_ramp(obj).color_ramp.elements] == shown
+    assert np.array_equal(colors_of(obj), colors)
+
+
+def test_updating_colors_makes_them_anew_and_leaves_the_field_alone(pipeline, monkeypatch):
+    obj = painted_grid()
+    solve()
+    field, colors = field_of(obj), colors_of(obj)
+    obj.data.attributes.remove(obj.data.attributes["dirichlet_color"])
+    monkeypatch.setattr(pipeline.attributes, "write", lambda *_: pytest.fail("the field was written"))
+    assert bpy.ops.dirichlet.update_colors() == {"FINISHED"}
+    assert np.array_equal(field_of(obj), field)
+    assert np.allclose(colors_of(obj), colors, atol=1e-6)
+    assert obj.data.color_attributes.active_color_name == "dirichlet_color"
+
+
 def test_presets_are_the_library_ramps(addon):
     ramps = importlib.import_module(f"{addon.__name__}.library").load("ramps").RAMPS
     settings = bpy.types.Object.bl_rna.properties["dirichlet"].fixed_type
