@@ -4,20 +4,15 @@
 import bpy
 import numpy as np
 import pytest
-from conftest import ROOT
 from in_new_blender import run_script
 from scipy.sparse import coo_matrix, diags, identity
 from scipy.sparse.csgraph import connected_components
 from scipy.sparse.linalg import spsolve
 
-MADE = ROOT / "build/demo/demo.blend"
-
 
 @pytest.fixture(scope="module")
 def demo(tmp_path_factory):
-    """The path of the demo's file: of the last `./run demo` if there was one, else made here without the picture."""
-    if MADE.is_file():
-        return MADE
+    """The path of the demo's file, made here and now, without the picture."""
     folder = tmp_path_factory.mktemp("demo")
     done = run_script("demo.py", folder, "--quick")
     assert done.returncode == 0, done.stderr
