@@ -7,6 +7,7 @@ blender --background --factory-startup --python-exit-code 1 --python blender_scr
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
@@ -50,8 +51,8 @@ def main(addon: ModuleType) -> None:
     obj = add_monkey()
     paint(addon, obj)
     obj.dirichlet.count = _PLAN.levels
-    bpy.ops.dirichlet.solve_field()
-    bpy.ops.dirichlet.make_isolines()
+    for operator in (bpy.ops.dirichlet.solve_field, bpy.ops.dirichlet.make_isolines):
+        run(operator, library.load().InputError)
     show_everything()
     args.folder.mkdir(parents=True, exist_ok=True)
     files = [(args.folder / "demo.blend", save_blend)]
@@ -85,6 +86,17 @@ def paint(addon: ModuleType, obj: bpy.types.Object) -> None:
         group = part(addon, "blender.groups").add_group(obj, name, np.concatenate(discs))
         bpy.ops.dirichlet.patch_add_group(group=group)
         obj.dirichlet.patches[-1].value = value
+
+
+def run(operator: Callable[[], object], refusal: type[Exception]) -> None:
+    """Runs an operator; what it reports as an error is raised as a refusal."""
+    try:
+        operator()
+    except RuntimeError as error:
+        sentence = str(error).strip().removeprefix("Error: ")
+        if "\n" in sentence:  # a traceback, so a bug
+            raise
+        raise refusal(sentence) from error
 
 
 def show_everything() -> None:

@@ -37,7 +37,7 @@ class Plan:
 
 def make_figure(addon: ModuleType, obj: bpy.types.Object, plan: Plan) -> Sheet:
     """Renders the six tiles. Leaves the object with `plan.levels` isolines, spread over the whole range."""
-    with Studio(obj, plan.width, plan.height, figure_materials.ink(addon)) as studio:
+    with Studio(addon, obj, plan.width, plan.height) as studio:
         colored = figure_materials.colored(addon, obj)
         mask = np.zeros(len(obj.data.vertices), bool)
         mask[part(addon, "blender.pipeline").read_painting(obj).vertices] = True

@@ -12,8 +12,10 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from types import ModuleType
 
 import bpy
+import figure_materials
 import numpy as np
 from figure_views import View
 from mathutils import Matrix, Vector
@@ -31,10 +33,10 @@ _MARGIN = 0.955  # of the picture that the surface may fill
 class Studio:
     """Renders one surface, from several views and in several dresses. Use as a context manager."""
 
-    def __init__(self, obj: bpy.types.Object, width: int, height: int, ink: bpy.types.Material) -> None:
-        self._ink = ink
+    def __init__(self, addon: ModuleType, obj: bpy.types.Object, width: int, height: int) -> None:
         self.scene = bpy.data.scenes.new("Figure")
         self._before = {kind: set(getattr(bpy.data, kind)) for kind in _KINDS}
+        self._ink = figure_materials.ink(addon)
         self.surface = obj.copy()
         self.surface.data = obj.data.copy()
         self.surface.parent, self.surface.matrix_world = None, obj.matrix_world
@@ -157,7 +159,7 @@ class Studio:
         return obj
 
 
-_KINDS = ("objects", "meshes", "curves", "cameras", "lights", "worlds", "materials")
+_KINDS = ("objects", "meshes", "curves", "cameras", "lights", "worlds", "materials", "images")
 
 
 @contextmanager

@@ -60,7 +60,8 @@ class Sheet:
             self.fill(left, top, w, h, color)
 
     def save(self, path: Path) -> None:
-        """As PNG. Raises RuntimeError where it cannot be written."""
+        """As PNG. Raises OSError where it cannot be written."""
+        path.touch()  # raises with the reason, which Blender keeps to itself
         height, width, _ = self.pixels.shape
         rgba = np.ones((height, width, 4), np.float32)
         rgba[..., :3] = self.pixels[::-1]
@@ -69,6 +70,8 @@ class Sheet:
             image.pixels.foreach_set(rgba.ravel())
             image.file_format, image.filepath_raw = "PNG", str(path)
             image.save()
+        except RuntimeError as error:
+            raise OSError("Blender could not save the picture") from error
         finally:
             bpy.data.images.remove(image)
 

@@ -36,7 +36,7 @@ def main(addon: ModuleType) -> None:
     for path, mesh in zip(args.meshes, meshes):
         up = args.up or ("z" if path.suffix.lower() == ".stl" else "y")  # as is the custom of scans and of printers
         obj, discs = add_painted(addon, mesh, path.stem, up)
-        bpy.ops.dirichlet.solve_field()
+        part(addon, "blender.pipeline").solve_field(obj)
         target = args.output / f"{path.stem}.png"
         library.load("output").write_all([(target, make_figure(addon, obj, plan(addon, obj, discs, args)).save)])
         print(f"wrote {target}")
@@ -72,9 +72,15 @@ def plan(addon: ModuleType, obj: bpy.types.Object, painted: np.ndarray, args: ar
     view = best_view(part(addon, "blender.meshes").read_positions(obj.data) @ upright.T, painted)
     view = replace(view, azimuth=view.azimuth + args.turn)
     field = part(addon, "blender.attributes").read_field(obj.data)
-    window = args.window or np.nanquantile(field, _MOST_SEEN).round(2).tolist()
+    window = args.window or rounded(*np.nanquantile(field, _MOST_SEEN).tolist())
     size = {"width": args.width, "height": args.width * Plan.height // Plan.width}
     return Plan(view, other_side(view), tuple(window), levels=args.isolines, **size)
+
+
+def rounded(low: float, high: float) -> tuple[float, float]:
+    """Both to two digits, where that keeps them apart."""
+    short = round(low, 2), round(high, 2)
+    return short if short[0] < short[1] else (low, high)
 
 
 if __name__ == "__main__":

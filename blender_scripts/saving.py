@@ -30,7 +30,7 @@ def render_object(addon: ModuleType, obj: bpy.types.Object, size: tuple[int, int
     Raises OSError where the picture cannot be written.
     """
     painted = part(addon, "blender.pipeline").read_painting(obj).vertices
-    with Studio(obj, *size, figure_materials.ink(addon)) as studio:
+    with Studio(addon, obj, *size) as studio:
         studio.look(best_view(studio.points, painted))
         studio.dress(figure_materials.colored(addon, obj))
         studio.draw(part(addon, "blender.curves").find(obj), _LINE)

@@ -3,6 +3,7 @@
 
 blender --background [FILE.blend] --python blender_scripts/solve_isolines.py -- [MESHFILE] [--object NAME]
     [--group NAME=VALUE]... [--patch NAME=VALUE@PLACE]... [--isolines N]... [--save OUT.blend] [--render OUT.png]
+Values are kept in single precision, as Blender keeps all of them.
 Exit code 0; or 2 after one sentence on stderr, and then nothing is written.
 """
 
@@ -11,16 +12,20 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import ModuleType
 
 import bpy
+import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from addon_loader import part, run_with_addon, script_words
 from mesh_object import add_mesh_object
 from saving import render_object, save_blend
+
+_SUMMARY = f"{__doc__.splitlines()[0]} The patches' values are kept in single precision."
 
 
 def main(addon: ModuleType) -> None:
@@ -39,7 +44,7 @@ def main(addon: ModuleType) -> None:
 
 
 def parse(command_line: ModuleType) -> argparse.Namespace:
-    parser = command_line.OneSentenceParser(prog="solve_isolines", description=__doc__.splitlines()[0])
+    parser = command_line.OneSentenceParser(prog="solve_isolines", description=_SUMMARY)
     parser.add_argument("mesh", nargs="?", type=Path, metavar="MESHFILE", help=".obj .ply .off .stl; added to the file")
     parser.add_argument("--object", metavar="NAME", help="mesh object of the file (default: the only one)")
     parser.add_argument(
@@ -74,27 +79,34 @@ def choose_object(surface: ModuleType, args: argparse.Namespace) -> bpy.types.Ob
 
 def set_patches(addon: ModuleType, obj: bpy.types.Object, args: argparse.Namespace) -> None:
     """Puts the groups and patches asked for into the add-on's list; nothing asked for leaves the list as it is."""
-    settings = obj.dirichlet
+    surface, settings = part(addon, "library").load(), obj.dirichlet
     settings.overlap, settings.method = args.overlap, args.method
-    painted = list(args.groups)
+    if not args.groups and not args.patches:
+        return
     positions = part(addon, "blender.meshes").read_positions(obj.data)
-    for argument in args.patches:
-        patch = argument.to_patch(positions)
-        outside = patch.vertices[(patch.vertices < 0) | (patch.vertices >= len(positions))]
-        if outside.size:
-            raise (
-                part(addon, "library")
-                .load()
-                .InputError(
-                    f"patch '{patch.name}' has the vertex {outside[0]}, but the vertices are 0 to {len(positions) - 1}"
-                )
-            )
-        painted.append((part(addon, "blender.groups").add_group(obj, patch.name, patch.vertices), patch.values))
-    if painted:
-        settings.patches.clear()
-    for name, value in painted:
-        patch = settings.patches.add()
-        patch.group, patch.value = name, value
+    patches = [argument.to_patch(positions) for argument in args.patches]
+    patches = [replace(patch, values=_single(surface, patch.name, patch.values)) for patch in patches]
+    groups = [(name, _single(surface, name, value)) for name, value in args.groups]
+    settings.patches.clear()
+    for name, value in groups:
+        _list_patch(settings, name, value)
+    asked_for = [*part(addon, "blender.pipeline").read_patches(obj), *patches]
+    surface.combine_patches(asked_for, len(positions), args.overlap)  # groups would drop vertices outside in silence
+    for patch in patches:
+        group = part(addon, "blender.groups").add_group(obj, patch.name, patch.vertices)
+        _list_patch(settings, group, patch.values)
+
+
+def _single(surface: ModuleType, name: str, value: float) -> float:
+    """The value as Blender keeps it. Raises InputError for one that Blender would clamp."""
+    if abs(value) > np.finfo(np.float32).max:
+        raise surface.InputError(f"patch '{name}' has the value {value}, which is beyond Blender's single precision")
+    return float(np.float32(value))
+
+
+def _list_patch(settings: bpy.types.PropertyGroup, group: str, value: float) -> None:
+    patch = settings.patches.add()
+    patch.group, patch.value = group, value
 
 
 def make_isolines(addon: ModuleType, obj: bpy.types.Object, mesh, args: argparse.Namespace):

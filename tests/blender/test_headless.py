@@ -53,6 +53,22 @@ def test_groups_named_take_the_place_of_the_list(tmp_path):
     assert np.allclose(across, np.linspace(-1, 5, 12), atol=1e-12)
 
 
+def test_patches_join_the_groups_named(tmp_path):
+    painted_grid()
+    done = run_script(
+        SCRIPT, "--group", "left=0.1", "--patch", "corner=0.1@0,0,0,0.1", "--patch", f"ids=1.2@{tmp_path / 'ids'}",
+        "--out-field", tmp_path / "f.npy", file=ids_of_the_right_column(tmp_path),
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr  # the corner is in two patches, which agree
+    across = np.load(tmp_path / "f.npy").reshape(7, 12)
+    assert np.allclose(across, np.linspace(0.1, 1.2, 12), atol=1e-7)
+
+
+def ids_of_the_right_column(folder):
+    (folder / "ids").write_text(" ".join(str(12 * row + 11) for row in range(7)))
+    return save(folder)
+
+
 def test_a_mesh_file_is_solved_and_rendered(tmp_path):
     (tmp_path / "square.obj").write_text(
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 .5 .1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n"
@@ -92,7 +108,13 @@ REFUSALS = {
     "no levels": (painted_grid, ["--isolines", "-1"], "-1"),
     "no faces": (no_faces, [], "no faces"),
     "ending": (painted_grid, ["--render", "{folder}/out.gif"], "does not end in .png"),
+    "infinite value": (painted_grid, ["--group", "left=inf"], "'left' has the value inf, which is beyond"),
+    "value too large": (painted_grid, ["--group", "left=1e300"], "'left' has the value 1e+300, which is beyond"),
+    "patch too large": (grid, ["--patch", "all=-1e39@0,0,0,99"], "'all' has the value -1e+39, which is beyond"),
     "folder": (painted_grid, ["--out-lines", "{folder}/missing/lines.json"], "missing"),
+    "folder of the picture": (painted_grid, ["--render", "{folder}/missing/x.png"], "no folder"),
+    "picture under a file": (painted_grid, ["--render", "{folder}/ids.txt/x.png"], "no folder"),
+    "picture": (painted_grid, ["--render", "/proc/x.png", "--size", "16", "16"], "cannot write '/proc/x.png'"),
     "size": (painted_grid, ["--size", "0", "10"], "pixels"),
 }  # fmt: skip
 
