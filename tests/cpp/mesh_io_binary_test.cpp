@@ -111,6 +111,10 @@ TEST_F(PlyFile, a_header_that_names_the_wrong_byte_order_is_refused) {
                    InputError, "byte", "vertex 16777216");
 }
 
+TEST_F(PlyFile, bytes_that_are_no_text_stay_out_of_the_sentence) {
+  EXPECT_REFUSED(read("a.ply", "ply\nformat ascii 1.0\nelement \xff\xfe x\nend_header\n"), InputError, "'??'");
+}
+
 TEST_F(PlyFile, a_header_that_promises_more_than_the_file_holds_is_refused_before_memory_is_asked_for) {
   for (const std::string format : {"ascii", "binary_little_endian"}) {
     EXPECT_REFUSED(read("a.ply", header(format, "100000000000") + points()), InputError, "100000000000 'vertex'");
