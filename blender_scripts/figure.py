@@ -93,7 +93,7 @@ def _tile(studio: Studio, material: bpy.types.Material, caption: str, lines: bpy
 def _busiest(studio: Studio, lines: bpy.types.Object, zoom: float) -> tuple[float, float]:
     """Where in the picture most of the lines' points are seen."""
     matrix = np.array(studio.surface.matrix_world)
-    points = np.array([point.co[:3] for spline in lines.data.splines for point in spline.points])
+    points = np.array([point.co[:3] for spline in lines.data.splines for point in spline.points]).reshape(-1, 3)
     places, depth = studio.project(points @ matrix[:3, :3].T + matrix[:3, 3])
     around, behind = studio.project(studio.points)
     cells, depths = _CELLS * np.concatenate((places, around)), np.concatenate((depth, behind))

@@ -65,7 +65,9 @@ def visible(cells: Array, depth: Array, tolerance: float) -> NDArray[np.bool_]:
 
 def busiest_spot(places: Array, zoom: float) -> tuple[float, float]:
     """The centre of the frame, 1/zoom of the picture wide and high, with places (P, 2) in [0, 1]² in
-    most of its cells: many lines, but not one thick bundle."""
+    most of its cells: many lines, but not one thick bundle. The middle of the picture without any place."""
+    if not len(places):
+        return 0.5, 0.5
     counts, _, _ = np.histogram2d(*places.T, bins=_CELLS, range=((0, 1), (0, 1)))
     size = max(1, round(_CELLS / zoom))
     total = np.pad((counts > 0).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))

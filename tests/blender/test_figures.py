@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import bpy
+import numpy as np
 import pytest
 from conftest import ROOT
 from refusal import data_counts
@@ -36,6 +37,10 @@ def test_a_sheet_that_cannot_be_written_is_an_os_error(tmp_path, monkeypatch):
     with pytest.raises(OSError, match="Blender could not save"):
         sheet.save(Path("/proc/out.png"))
     assert not bpy.data.images
+
+
+def test_without_lines_the_close_up_shows_the_middle():
+    assert importlib.import_module("figure_views").busiest_spot(np.empty((0, 2)), 3.0) == (0.5, 0.5)
 
 
 @pytest.mark.parametrize(
