@@ -11,7 +11,8 @@
 
 namespace dirichlet {
 
-/// The most threads that one call may use; 0 for as many as there are cores. For tests, and hosts that want a core left.
+/// The most threads that one call may use; 0 for as many as there are cores. For tests, and hosts that want a core
+/// left.
 inline std::atomic<unsigned> thread_limit{0};
 
 inline std::size_t core_count() {

@@ -31,7 +31,7 @@ def write_all(files: Sequence[tuple[Path, Callable[[Path], None]]]) -> None:
     beside = [target.with_name(f".{os.getpid()}-{number}{target.suffix}") for number, (target, _) in enumerate(files)]
     target = Path()
     try:
-        for (target, write), path in zip(files, beside):  # noqa: B007: the error below names it
+        for (target, write), path in zip(files, beside):  # noqa: B007 (the error below names the target)
             write(path)
         for (target, _), path in zip(files, beside):
             os.replace(path, target)
