@@ -193,7 +193,10 @@ void Factor<Real>::run(const Mask& fixed, const std::vector<std::uint8_t>& dirty
   const auto any = [&](Index begin, Index end) {
     return std::any_of(dirty.begin() + begin, dirty.begin() + end, [](std::uint8_t d) { return d != 0; });
   };
-  const std::size_t cores = core_count();
+  double work = 0;
+  for (std::size_t t = 0; t < dirty.size(); ++t) work += dirty[t] != 0 ? work_[t] : 0;
+  constexpr double kWorthThreads = 5e7; // less is done before a second thread has started
+  const std::size_t cores = work > kWorthThreads ? core_count() : 1;
   if (any(0, middle) && any(middle, tasks_.shared)) {
     share_out(2, cores, [&](Index half) { run_range(half == 0 ? 0 : middle, half == 0 ? middle : tasks_.shared, 1); });
   } else {
@@ -258,7 +261,7 @@ template <class Real>
 void Factor<Real>::solve(std::span<Real> x, Index k) const {
   const SymbolicFactor& f = *symbolic_;
   const Index shared_begin = f.columns[at(f.group[2])];
-  const std::size_t cores = f.factor_size() * k > (1 << 18) ? core_count() : 1;
+  const std::size_t cores = f.factor_size() * k > (1 << 21) ? core_count() : 1;
   const std::size_t shared_size = at(f.size() - shared_begin) * at(k);
   std::array<std::vector<Real>, 2> shared; // each half's part; added in this order, whoever is first
   share_out(2, cores, [&](Index half) {
