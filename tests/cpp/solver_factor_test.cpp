@@ -223,8 +223,8 @@ TEST(Factor, no_stroke_changes_nothing) {
 }
 
 TEST(Factor, is_the_same_on_one_thread_and_on_two) {
-  const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(150 * 120, 2);
-  Problem<> problem(shifted(graph_stiffness(*make_mesh(makers::torus(150, 120))), 1e-3));
+  const Eigen::MatrixXd rhs = Eigen::MatrixXd::Random(300 * 200, 4);
+  Problem<> problem(shifted(graph_stiffness(*make_mesh(makers::torus(300, 200))), 1e-3));
   problem.factor.factor(problem.fixed());
   const auto together = problem.solve(rhs);
   thread_limit = 1;
