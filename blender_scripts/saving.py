@@ -19,7 +19,7 @@ _LINE = 0.004  # width of a line, as a fraction of the picture's height
 def save_blend(path: Path) -> None:
     """A copy of the open file. Raises OSError where it cannot be written."""
     try:
-        bpy.ops.wm.save_as_mainfile(filepath=str(path), copy=True, check_existing=False)
+        bpy.ops.wm.save_as_mainfile(filepath=str(path.absolute()), copy=True, check_existing=False)
     except RuntimeError as error:
         raise OSError(str(error).strip()) from error
 
