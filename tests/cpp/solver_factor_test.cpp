@@ -59,9 +59,9 @@ struct Problem {
   Factor<Real> factor;
   Mask painted;
 
-  explicit Problem(SparseMatrix matrix, std::int64_t most_kept = std::int64_t{1} << 40)
-      : K(std::move(matrix)), symbolic(std::make_shared<const SymbolicFactor>(analyse(
-                                  graph_of(K), fill_reducing_order(graph_of(K).offsets, graph_of(K).neighbours)))),
+  explicit Problem(const SparseMatrix& matrix, std::int64_t most_kept = std::int64_t{1} << 40)
+      : K(matrix), symbolic(std::make_shared<const SymbolicFactor>(
+                       analyse(graph_of(K), fill_reducing_order(graph_of(K).offsets, graph_of(K).neighbours)))),
         factor(symbolic, arrange(K, *symbolic), most_kept), painted(at(symbolic->size()), 0) {}
 
   Mask fixed() const {
