@@ -55,7 +55,7 @@ class DirectSolver final : public Solver {
   DirectSolver(const SparseMatrix& K, const Mask& mask) : K_(K), mask_(mask) {
     Stopwatch watch;
     symbolic_ = std::make_shared<const SymbolicFactor>(analyse(graph_of(K), elimination_order(K)));
-    FrontMatrix matrix = arrange(K, *symbolic_);
+    auto matrix = std::make_shared<const OrderedMatrix>(order_matrix(K, *symbolic_));
     statistics_.unknowns = count_free(mask);
     statistics_.nonzeros = count_injected(K, mask);
     statistics_.factor_nonzeros = symbolic_->factor_size();

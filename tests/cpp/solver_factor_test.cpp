@@ -21,10 +21,6 @@ namespace {
 
 using makers::make_mesh;
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 Graph graph_of(const SparseMatrix& K) {
   return {{K.outerIndexPtr(), at(static_cast<Index>(K.rows())) + 1},
           {K.innerIndexPtr(), static_cast<std::size_t>(K.nonZeros())}};
@@ -62,7 +58,8 @@ struct Problem {
   explicit Problem(const SparseMatrix& matrix, std::int64_t most_kept = std::int64_t{1} << 40)
       : K(matrix), symbolic(std::make_shared<const SymbolicFactor>(
                        analyse(graph_of(K), fill_reducing_order(graph_of(K).offsets, graph_of(K).neighbours)))),
-        factor(symbolic, arrange(K, *symbolic), most_kept), painted(at(symbolic->size()), 0) {}
+        factor(symbolic, std::make_shared<const OrderedMatrix>(order_matrix(K, *symbolic)), most_kept),
+        painted(at(symbolic->size()), 0) {}
 
   Mask fixed() const {
     Mask mask(painted.size());

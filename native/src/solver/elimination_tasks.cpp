@@ -6,10 +6,6 @@
 namespace dirichlet {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Numbers on the stack of update matrices while the supernodes of one task are factored one after the other: all are
 /// there when a parent's is made, before those of its children go.
 std::int64_t stack_peak(const SymbolicFactor& symbolic, const EliminationTasks::Task& task) {

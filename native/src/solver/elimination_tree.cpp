@@ -6,10 +6,6 @@
 namespace dirichlet {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 std::vector<Index> inverse(std::span<const Index> permutation) {
   std::vector<Index> result(permutation.size());
   for (std::size_t i = 0; i < permutation.size(); ++i) result[at(permutation[i])] = static_cast<Index>(i);

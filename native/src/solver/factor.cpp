@@ -6,16 +6,12 @@
 #include <atomic>
 
 #include "dirichlet/error.h"
-#include "for_row.h"
+#include "index.h"
 #include "message.h"
 #include "parallel.h"
 
 namespace dirichlet {
 namespace {
-
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Hands 0 … count − 1 to f, each as soon as a thread is free.
 template <class F>
@@ -40,44 +36,18 @@ void extend_add(const Real* child, std::span<const Index> place, Index w, Index 
 
 } // namespace
 
-FrontMatrix arrange(const SparseMatrix& K, const SymbolicFactor& symbolic) {
-  const Index n = symbolic.size();
-  FrontMatrix matrix;
-  matrix.offsets.assign(at(n) + 1, 0);
-  for (Index j = 0; j < n; ++j) {
-    Index count = 0;
-    for_row(K, symbolic.order[at(j)], [&](Index u, double) { count += symbolic.position[at(u)] >= j; });
-    matrix.offsets[at(j) + 1] = matrix.offsets[at(j)] + count;
-  }
-  matrix.places.resize(at(matrix.offsets.back()));
-  matrix.values.resize(at(matrix.offsets.back()));
-  parallel_chunks(at(n), 1 << 14, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t j = begin; j < end; ++j) {
-      const Index s = symbolic.owner[j], first = symbolic.columns[at(s)], w = symbolic.width(s);
-      const auto rows = symbolic.rows_of(s);
-      auto e = at(matrix.offsets[j]);
-      for_row(K, symbolic.order[j], [&](Index u, double value) {
-        const Index i = symbolic.position[at(u)];
-        if (i < static_cast<Index>(j)) return;
-        const auto below = std::lower_bound(rows.begin(), rows.end(), i) - rows.begin();
-        matrix.places[e] = i < first + w ? i - first : w + static_cast<Index>(below);
-        matrix.values[e++] = value;
-      });
-    }
-  });
-  return matrix;
-}
-
-/// What a thread needs of its own: the stack of update matrices inside a subtree.
+/// What a thread needs of its own.
 template <class Real>
 struct Factor<Real>::Workspace {
-  std::unique_ptr<Real[]> stack;
+  std::unique_ptr<Index[]> place;   ///< (n,) of every row of the front in work: its place there
+  std::unique_ptr<Real[]> stack;    ///< update matrices inside a subtree
   std::vector<const Real*> updates; ///< of the supernodes whose parent is still to come, in their order
   std::size_t threads = 1;          ///< that a single front may use
 };
 
 template <class Real>
-Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, FrontMatrix matrix, std::int64_t most_kept)
+Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared_ptr<const OrderedMatrix> matrix,
+                     std::int64_t most_kept)
     : symbolic_(std::move(symbolic)), matrix_(std::move(matrix)),
       tasks_(cut_into_tasks(*symbolic_, most_kept / static_cast<std::int64_t>(sizeof(Real)))),
       kernels_(dense_kernels<Real>(best_instruction_set())),
@@ -110,27 +80,36 @@ Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, FrontMatrix
     if (const Index up = f.parent[at(s)]; up >= 0) children_[at(next[at(up)]++)] = s;
 }
 
+/// The entries of K, and nothing else.
 template <class Real>
-void Factor<Real>::eliminate(Index s, const Mask& fixed, Real* update, std::span<const Real* const> child_updates,
-                             std::size_t threads) {
+void Factor<Real>::fill_panel(Index s, const Mask& fixed, Index* place, Real* panel) const {
   const SymbolicFactor& f = *symbolic_;
-  const Index w = f.width(s), r = f.row_count(s), m = w + r, first = f.columns[at(s)];
-  const auto rows = f.rows_of(s);
-  Real* panel = panels_.get() + f.panel_offsets[at(s)];
+  const Index w = f.width(s), m = w + f.row_count(s), first = f.columns[at(s)];
+  for (Index c = 0; c < w; ++c) place[first + c] = c;
+  for (Index p = w; const Index row : f.rows_of(s)) place[row] = p++;
   std::fill_n(panel, std::int64_t{m} * w, Real{0});
-  std::fill_n(update, UpdateLayout::size(r), Real{0});
-
   for (Index c = 0; c < w; ++c) {
-    Real* column = panel + std::int64_t{c} * m;
-    if (fixed[at(first + c)] != 0) {
+    const Index j = first + c;
+    Real* const column = panel + std::int64_t{c} * m;
+    if (fixed[at(j)] != 0) {
       column[c] = 1;
       continue;
     }
-    for (auto e = at(matrix_.offsets[at(first + c)]); e < at(matrix_.offsets[at(first + c) + 1]); ++e) {
-      const Index place = matrix_.places[e], i = place < w ? first + place : rows[at(place - w)];
-      if (fixed[at(i)] == 0) column[place] += static_cast<Real>(matrix_.values[e]);
-    }
+    for (auto e = at(matrix_->upper[at(j)]); e < at(matrix_->offsets[at(j) + 1]); ++e) // of row j: K is symmetric
+      if (const Index i = matrix_->columns[e]; fixed[at(i)] == 0)
+        column[place[i]] = static_cast<Real>(matrix_->values[e]);
   }
+}
+
+template <class Real>
+void Factor<Real>::eliminate(Index s, const Mask& fixed, Real* update, std::span<const Real* const> child_updates,
+                             Workspace& space) {
+  const SymbolicFactor& f = *symbolic_;
+  const Index w = f.width(s), r = f.row_count(s), m = w + r, first = f.columns[at(s)];
+  Real* panel = panels_.get() + f.panel_offsets[at(s)];
+  std::fill_n(update, UpdateLayout::size(r), Real{0});
+
+  fill_panel(s, fixed, space.place.get(), panel);
   for (std::size_t k = 0; k < child_updates.size(); ++k) {
     const Index child = children_[at(child_offsets_[at(s)]) + k];
     extend_add(child_updates[k], {relative_.data() + f.row_offsets[at(child)], at(f.row_count(child))}, w, m, panel,
@@ -138,7 +117,7 @@ void Factor<Real>::eliminate(Index s, const Mask& fixed, Real* update, std::span
   }
 
   constexpr double kWorthSharing = 2e6; // floating-point operations
-  if (1.0 * w * m * m < kWorthSharing) threads = 1;
+  const std::size_t threads = 1.0 * w * m * m < kWorthSharing ? 1 : space.threads;
   const auto parallel_for = [threads](Index pieces, const auto& piece) { share_out(pieces, threads, piece); };
   const auto pieces = static_cast<Index>(threads);
   if (const Index good = factor_panel(kernels_, panel, m, w, m, pieces, parallel_for); good < w)
@@ -160,15 +139,15 @@ void Factor<Real>::run_task(Index number, const Mask& fixed, Workspace& space) {
     space.updates.clear();
     for (auto c = child_offsets_[at(task.last)]; c < child_offsets_[at(task.last) + 1]; ++c)
       space.updates.push_back(kept_.get() + tasks_.tasks[at(tasks_.owner[at(children_[at(c)])])].update);
-    return eliminate(task.last, fixed, kept, space.updates, space.threads);
+    return eliminate(task.last, fixed, kept, space.updates, space);
   }
   Real* top = space.stack.get();
   space.updates.clear();
   for (Index s = task.first; s <= task.last; ++s) {
     const std::size_t count = child_count(s);
     const std::span<const Real* const> children(space.updates.data() + space.updates.size() - count, count);
-    if (s == task.last) return eliminate(s, fixed, kept, children, space.threads);
-    eliminate(s, fixed, top, children, space.threads);
+    if (s == task.last) return eliminate(s, fixed, kept, children, space);
+    eliminate(s, fixed, top, children, space);
     const std::int64_t size = UpdateLayout::size(f.row_count(s));
     Real* const place = count == 0 ? top : const_cast<Real*>(children.front()); // where its children were, in the stack
     std::copy_n(top, size, place);
@@ -183,6 +162,7 @@ void Factor<Real>::run(const Mask& fixed, const std::vector<std::uint8_t>& dirty
   const auto& tasks = tasks_.tasks;
   const auto run_range = [&](Index begin, Index end, std::size_t threads) {
     Workspace space;
+    space.place = std::make_unique_for_overwrite<Index[]>(at(symbolic_->size()));
     space.stack = std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(tasks_.stack_size));
     space.threads = threads;
     for (Index t = begin; t < end; ++t)
@@ -279,9 +259,9 @@ template <class Real>
 std::int64_t Factor<Real>::bytes() const {
   const auto real = static_cast<std::int64_t>(sizeof(Real)), index = static_cast<std::int64_t>(sizeof(Index));
   return (symbolic_->factor_size() + tasks_.kept_size) * real +
-         static_cast<std::int64_t>(2 * symbolic_->rows.size() + 4 * at(symbolic_->size()) + matrix_.places.size()) *
+         static_cast<std::int64_t>(2 * symbolic_->rows.size() + 6 * at(symbolic_->size()) + matrix_->columns.size()) *
              index +
-         static_cast<std::int64_t>(matrix_.values.size() * sizeof(double));
+         static_cast<std::int64_t>(matrix_->values.size() * sizeof(double));
 }
 
 template class Factor<float>;

@@ -8,20 +8,10 @@
 #include "dirichlet/injection.h"
 #include "solver/dense_kernels.h"
 #include "solver/elimination_tasks.h"
+#include "solver/ordered_matrix.h"
 #include "solver/symbolic.h"
 
 namespace dirichlet {
-
-/// A symmetric matrix as fronts take it up: for every column, in order of elimination, its entries from the diagonal
-/// down, by their place in the front of the column's supernode.
-struct FrontMatrix {
-  std::vector<Index> offsets; ///< (n + 1,)
-  std::vector<Index> places;  ///< row in the front
-  std::vector<double> values;
-};
-
-/// Cost: O(entries log).
-FrontMatrix arrange(const SparseMatrix& K, const SymbolicFactor& symbolic);
 
 /// Multifrontal Cholesky factor L Lᵀ of the injected twin (I − M) K (I − M) + M (Duff & Reid 1983; Liu 1992), which can
 /// follow changes of M: painted vertices are identity rows, so structure and storage never change.
@@ -34,7 +24,8 @@ class Factor {
  public:
   /// \param most_kept  bytes that may be spent on update matrices kept for partial factorisations
   /// \throws std::bad_alloc  not enough memory
-  Factor(std::shared_ptr<const SymbolicFactor> symbolic, FrontMatrix matrix, std::int64_t most_kept);
+  Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared_ptr<const OrderedMatrix> matrix,
+         std::int64_t most_kept);
 
   /// Factors anew what depends on the columns in `changed` (positions whose painted flag differs, or whose neighbours'
   /// does). \param fixed  (n,) by position: 1 for an identity row.
@@ -48,20 +39,21 @@ class Factor {
   /// L Lᵀ x = b in place; x (n, k) row-major, by position.
   void solve(std::span<Real> x, Index k) const;
 
-  [[nodiscard]] std::int64_t bytes() const; ///< of everything it holds
+  [[nodiscard]] std::int64_t bytes() const; ///< of everything it holds, the matrix included
 
  private:
   struct Workspace;
   void run(const Mask& fixed, const std::vector<std::uint8_t>& dirty);
   void run_task(Index number, const Mask& fixed, Workspace& space);
   void eliminate(Index s, const Mask& fixed, Real* update, std::span<const Real* const> child_updates,
-                 std::size_t threads);
+                 Workspace& space);
+  void fill_panel(Index s, const Mask& fixed, Index* place, Real* panel) const;
   /// Supernodes [begin, end); what goes to the shared columns is added to `shared` instead of x.
   void forward(Index begin, Index end, Real* x, Real* shared, Index k) const;
   void backward(Index begin, Index end, Real* x, Index k) const;
 
   std::shared_ptr<const SymbolicFactor> symbolic_;
-  FrontMatrix matrix_;
+  std::shared_ptr<const OrderedMatrix> matrix_;
   EliminationTasks tasks_;
   std::vector<Index> relative_;      ///< beside symbolic rows: their place in the parent's front
   std::vector<Index> child_offsets_; ///< (S + 1,)

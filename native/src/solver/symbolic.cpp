@@ -10,10 +10,6 @@
 namespace dirichlet {
 namespace {
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// A run of columns that is to be one supernode, as known before its rows are listed.
 struct Supernode {
   Index first, width;

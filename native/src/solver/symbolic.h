@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dirichlet/array.h"
+#include "index.h"
 
 namespace dirichlet {
 
@@ -49,9 +50,6 @@ struct SymbolicFactor {
   }
   [[nodiscard]] std::int64_t factor_size() const { return panel_offsets.back(); } ///< numbers in all panels
   [[nodiscard]] double flops() const; ///< multiplications and additions of a factorisation, about
-
- private:
-  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 };
 
 /// Analyses a symmetric pattern in the given order of elimination (a permutation of its vertices), which is refined to

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "dirichlet/array.h"
+
+namespace dirichlet {
+
+/// An index as the standard containers count.
+constexpr std::size_t at(Index i) {
+  return static_cast<std::size_t>(i);
+}
+
+} // namespace dirichlet
