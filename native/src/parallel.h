@@ -16,8 +16,8 @@ namespace dirichlet {
 inline std::atomic<unsigned> thread_limit{0};
 
 inline std::size_t core_count() {
+  static const unsigned cores = std::max(1U, std::thread::hardware_concurrency()); // asked once: it reads files
   const unsigned limit = thread_limit.load(std::memory_order_relaxed);
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   return limit == 0 ? cores : std::min(limit, cores);
 }
 
