@@ -2,7 +2,6 @@
 #include "solver/symbolic.h"
 
 #include <algorithm>
-#include <numeric>
 #include <queue>
 
 #include "solver/elimination_tree.h"
@@ -31,7 +30,7 @@ bool worth_merging(std::int64_t width, std::int64_t rows, std::int64_t zeros) {
 
 /// Columns of equal structure joined, then a supernode with the last of its children where that is worth it.
 std::vector<Supernode> find_supernodes(const EliminationTree& tree) {
-  const auto n = static_cast<Index>(tree.order.size());
+  const auto n = static_cast<Index>(tree.parent.size());
   std::vector<Supernode> supernodes;
   for (Index j = 0; j < n;) {
     Supernode now{j, 1, tree.count[at(j)] - 1, 0};
@@ -57,7 +56,7 @@ std::vector<Supernode> find_supernodes(const EliminationTree& tree) {
 }
 
 std::vector<Index> supernode_parents(const EliminationTree& tree, const std::vector<Supernode>& supernodes) {
-  std::vector<Index> owner(tree.order.size()), parent;
+  std::vector<Index> owner(tree.parent.size()), parent;
   for (Index s = 0; const Supernode& node : supernodes) std::fill_n(owner.begin() + node.first, node.width, s++);
   for (const Supernode& node : supernodes) {
     const Index up = tree.parent[at(node.first + node.width - 1)];
@@ -71,7 +70,7 @@ std::vector<Index> supernode_parents(const EliminationTree& tree, const std::vec
 std::vector<Index> split_forest(const std::vector<Supernode>& supernodes, const std::vector<Index>& parent) {
   const auto count = static_cast<Index>(parent.size());
   std::vector<std::int64_t> weight(at(count), 0); // of the subtree
-  std::vector<std::vector<Index>> children(at(count));
+  std::vector<Index> size(at(count), 1);          // supernodes in it, which are one run
   using Entry = std::pair<std::int64_t, Index>;
   std::priority_queue<Entry> open;
   std::int64_t total = 0;
@@ -79,7 +78,7 @@ std::vector<Index> split_forest(const std::vector<Supernode>& supernodes, const 
     weight[at(s)] += panel_size(supernodes[at(s)].width, supernodes[at(s)].rows);
     if (const Index up = parent[at(s)]; up >= 0) {
       weight[at(up)] += weight[at(s)];
-      children[at(up)].push_back(s);
+      size[at(up)] += size[at(s)];
     } else {
       open.emplace(weight[at(s)], s);
       total += weight[at(s)];
@@ -89,10 +88,10 @@ std::vector<Index> split_forest(const std::vector<Supernode>& supernodes, const 
   std::vector<Index> group(at(count), -1);
   for (int opened = 0; !open.empty() && open.top().first > total / 8 && opened < 64; ++opened) {
     const Index s = open.top().second;
-    if (children[at(s)].empty()) break;
+    if (size[at(s)] == 1) break;
     open.pop();
     group[at(s)] = kShared;
-    for (const Index child : children[at(s)]) open.emplace(weight[at(child)], child);
+    for (Index child = s - 1; child > s - size[at(s)]; child -= size[at(child)]) open.emplace(weight[at(child)], child);
   }
   std::array<std::int64_t, 2> load{};
   for (; !open.empty(); open.pop()) { // heaviest first
@@ -106,58 +105,49 @@ std::vector<Index> split_forest(const std::vector<Supernode>& supernodes, const 
 }
 
 /// Numbers supernodes and columns anew: one half, the other half, what they share; in each as before.
-void place(const EliminationTree& tree, const std::vector<Supernode>& supernodes, SymbolicFactor& factor) {
-  const std::vector<Index> old_parent = supernode_parents(tree, supernodes);
+/// \returns for every new position the old one, in postorder.
+std::vector<Index> place(const std::vector<Supernode>& supernodes, const std::vector<Index>& old_parent,
+                         SymbolicFactor& factor) {
   const std::vector<Index> group = split_forest(supernodes, old_parent);
-  std::vector<Index> rank(supernodes.size());
+  std::vector<Index> old, rank(supernodes.size());
   factor.columns.push_back(0);
+  factor.row_offsets.push_back(0);
+  factor.panel_offsets.push_back(0);
   for (const Index which : {0, 1, 2}) {
     factor.group[at(which)] = factor.supernode_count();
     for (std::size_t s = 0; s < supernodes.size(); ++s) {
       if (group[s] != which) continue;
+      const auto& [first, width, rows, zeros] = supernodes[s];
       rank[s] = factor.supernode_count();
       factor.parent.push_back(old_parent[s]);
-      const auto first = tree.order.begin() + supernodes[s].first;
-      factor.order.insert(factor.order.end(), first, first + supernodes[s].width);
-      factor.owner.insert(factor.owner.end(), at(supernodes[s].width), rank[s]);
-      factor.columns.push_back(static_cast<Index>(factor.order.size()));
+      for (Index j = first; j < first + width; ++j) old.push_back(j);
+      factor.owner.insert(factor.owner.end(), at(width), rank[s]);
+      factor.columns.push_back(static_cast<Index>(old.size()));
+      factor.row_offsets.push_back(factor.row_offsets.back() + rows);
+      factor.panel_offsets.push_back(factor.panel_offsets.back() + panel_size(width, rows));
     }
   }
   for (Index& up : factor.parent)
     if (up >= 0) up = rank[at(up)];
-  factor.position.resize(factor.order.size());
-  for (std::size_t k = 0; k < factor.order.size(); ++k) factor.position[at(factor.order[k])] = static_cast<Index>(k);
+  return old;
 }
 
-/// Calls visit(s, i) for every supernode s and every row i below its columns, ascending in i: row i is in all
-/// supernodes on the paths from its entries up to its own.
-template <class Visit>
-void for_each_row(const Graph& graph, const SymbolicFactor& factor, Visit visit) {
-  std::vector<Index> mark(factor.parent.size(), -1);
-  for (Index i = 0; i < graph.size(); ++i) {
-    const Index v = factor.order[at(i)], own = factor.owner[at(i)];
-    mark[at(own)] = i;
-    for (Index e = graph.offsets[at(v)]; e < graph.offsets[at(v) + 1]; ++e) {
-      const Index j = factor.position[at(graph.neighbours[at(e)])];
-      if (j >= i) continue;
-      for (Index s = factor.owner[at(j)]; mark[at(s)] != i; s = factor.parent[at(s)]) {
-        mark[at(s)] = i;
-        visit(s, i);
-      }
-    }
-  }
-}
-
-void list_rows(const Graph& graph, const std::vector<Index>& counts, SymbolicFactor& factor) {
-  factor.row_offsets.assign(1, 0);
-  factor.panel_offsets.assign(1, 0);
-  for (Index s = 0; s < factor.supernode_count(); ++s) {
-    factor.row_offsets.push_back(factor.row_offsets.back() + counts[at(s)]);
-    factor.panel_offsets.push_back(factor.panel_offsets.back() + panel_size(factor.width(s), counts[at(s)]));
-  }
+/// The rows below every supernode's columns: row i is in all supernodes on the paths from its entries up to its own.
+/// \param column  the number that every position has in the pattern.
+void list_rows(const OrderedPattern& pattern, std::span<const Index> column, SymbolicFactor& factor) {
+  std::vector<Index> owner(column.size()); // by number in the pattern
+  for (std::size_t i = 0; i < column.size(); ++i) owner[at(column[i])] = factor.owner[i];
   factor.rows.resize(static_cast<std::size_t>(factor.row_offsets.back()));
   std::vector<std::int64_t> next(factor.row_offsets.begin(), factor.row_offsets.end() - 1);
-  for_each_row(graph, factor, [&](Index s, Index i) { factor.rows[static_cast<std::size_t>(next[at(s)]++)] = i; });
+  std::vector<Index> mark(factor.parent.size(), -1);
+  for (Index i = 0; i < pattern.size(); ++i) { // ascending, so are the rows
+    mark[at(factor.owner[at(i)])] = i;
+    for (Index e = pattern.offsets[at(column[at(i)])]; e < pattern.upper[at(column[at(i)])]; ++e)
+      for (Index s = owner[at(pattern.columns[at(e)])]; mark[at(s)] != i; s = factor.parent[at(s)]) {
+        mark[at(s)] = i;
+        factor.rows[static_cast<std::size_t>(next[at(s)]++)] = i;
+      }
+  }
 }
 
 } // namespace
@@ -173,14 +163,16 @@ double SymbolicFactor::flops() const {
 }
 
 SymbolicFactor analyse(const Graph& graph, std::span<const Index> elimination_order) {
+  const OrderedPattern pattern = order_pattern(graph, elimination_order, inverse_permutation(elimination_order));
+  const EliminationTree tree = eliminate(pattern);
+  const std::vector<Supernode> supernodes = find_supernodes(tree);
   SymbolicFactor factor;
-  {
-    const EliminationTree tree = eliminate(graph, elimination_order);
-    place(tree, find_supernodes(tree), factor);
-  }
-  std::vector<Index> counts(factor.parent.size(), 0);
-  for_each_row(graph, factor, [&](Index s, Index) { ++counts[at(s)]; });
-  list_rows(graph, counts, factor);
+  std::vector<Index> column = place(supernodes, supernode_parents(tree, supernodes), factor);
+  const std::vector<Index> post = inverse_permutation(tree.rank);
+  for (Index& j : column) j = post[at(j)];
+  list_rows(pattern, column, factor);
+  for (const Index j : column) factor.order.push_back(elimination_order[at(j)]);
+  factor.position = inverse_permutation(factor.order);
   return factor;
 }
 
