@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The meshes that tests and benchmarks are made of; closed forms where a law needs one.
+// The meshes that tests are made of; closed forms where a law needs one.
 #pragma once
 
 #include <algorithm>

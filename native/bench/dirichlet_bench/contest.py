@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Who takes part, and how: each library in a process of its own, with a limit to its time."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .scene import Scene
+from .systems import right_side, whole
+
+ROOT = Path(__file__).resolve().parents[3]
+PEERS = ROOT / "build/bench/native/bench/dirichlet_peers"
+PEER_PYTHON = ROOT / "build/bench-venv/bin/python"
+OPENBLAS = Path("/usr/lib") / f"{os.uname().machine}-linux-gnu" / "openblas-pthread"
+CORES = len(os.sched_getaffinity(0))
+
+
+@dataclass(frozen=True)
+class Contestant:
+    label: str
+    command: tuple[str | Path, ...]
+    threads: int = CORES
+
+    @property
+    def title(self) -> str:
+        return f"{self.label}, {self.threads} thread{'s'[: self.threads > 1]}"
+
+
+@dataclass
+class Result:
+    """What a contestant said before it ended."""
+
+    title: str
+    trouble: str = ""
+    wall: dict[str, list[float]] = field(default_factory=dict)
+    """seconds of every run of a stage"""
+    user: dict[str, list[float]] = field(default_factory=dict)
+    facts: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Effort:
+    runs: int
+    seconds: float
+    """of one stage, after which no further run of it begins"""
+    limit: float
+    """seconds of one contestant on one scene"""
+
+
+def by_python(label: str, module: str, threads: int = CORES) -> Contestant:
+    ours = module.startswith("ours")  # the library serves the Python it was built for, peers that of their own folder
+    return Contestant(
+        label, (sys.executable if ours else PEER_PYTHON, "-m", f"{__package__}.contestant", module), threads
+    )
+
+
+def every_contestant() -> list[Contestant]:
+    """Ours first."""
+    counts = sorted({1, CORES}, reverse=True)
+    solvers = [by_python("ours", "ours", threads) for threads in counts]
+    solvers.append(by_python("ours, single precision", "ours_single"))
+    solvers += [
+        Contestant(f"CHOLMOD, {name}", (PEERS, f"cholmod-{name.lower()}"), threads)
+        for name in ("AMD", "METIS")
+        for threads in counts
+    ]
+    solvers += [by_python("PARDISO", "pardiso", threads) for threads in counts]
+    solvers.append(Contestant("Eigen LDLT", (PEERS, "eigen"), 1))
+    solvers.append(by_python("pyamg", "multigrid", 1))
+    lines = [by_python("ours, lines", "ours_lines", threads) for threads in counts]
+    lines += [by_python("VTK", "vtk_contour"), by_python("potpourri3d", "potpourri", 1)]
+    return [*solvers, by_python("libigl", "libigl"), *lines, Contestant("OpenMesh", (PEERS, "openmesh"), 1)]
+
+
+def surroundings(threads: int) -> dict[str, str]:
+    """Tuned libraries: Debian's OpenBLAS may mistake the processor; threads that wait must not keep the others from
+    the cores."""
+    flags = Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    core = "SKYLAKEX" if " avx512f" in flags else "HASWELL" if " avx2" in flags else ""
+    limits = ("OMP_THREAD_LIMIT", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+    return {
+        **os.environ,
+        **dict.fromkeys(limits, str(threads)),
+        **({"OPENBLAS_CORETYPE": core} if core else {}),
+        "OMP_WAIT_POLICY": "passive",
+        "LD_LIBRARY_PATH": os.pathsep.join(filter(None, [str(OPENBLAS), os.environ.get("LD_LIBRARY_PATH")])),
+    }
+
+
+def compete(contestant: Contestant, scene: Scene, folder: Path, effort: Effort) -> Result:
+    """Never fails: what goes wrong is part of the result."""
+    result = Result(contestant.title)
+    field_file = folder / "field.npy"
+    field_file.unlink(missing_ok=True)
+    words = [*contestant.command, folder, field_file, str(effort.runs), str(effort.seconds)]
+    if not Path(contestant.command[0]).exists():
+        result.trouble = f"missing: there is no {Path(contestant.command[0]).name} of the benchmark"
+        return result
+    output, result.trouble = run_limited(words, contestant.threads, effort.limit)
+    for line in output.splitlines():
+        if line.startswith('{"'):
+            note(json.loads(line), result)
+    if "missing" in result.facts:
+        result.trouble = f"missing: {result.facts['missing']}"
+    if field_file.exists():
+        result.facts |= judge(np.load(field_file), scene)
+    return result
+
+
+def run_limited(words: list[Any], threads: int, limit: float) -> tuple[str, str]:
+    """What it printed, and what went wrong: nothing, hopefully."""
+    cores = sorted(os.sched_getaffinity(0))[:threads]
+    process = subprocess.Popen(
+        words,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=surroundings(threads),
+        preexec_fn=lambda: os.sched_setaffinity(0, cores),  # a thread more than asked for gains nothing
+    )
+    try:
+        output, complaints = process.communicate(timeout=limit)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        return process.communicate()[0], f"stopped after {limit:.0f} s"
+    if process.returncode == 0:
+        return output, ""
+    end = complaints.strip().splitlines()[-1:] or [describe_end(process.returncode)]
+    return output, f"failed: {end[0]}"
+
+
+def describe_end(code: int) -> str:
+    return signal.Signals(-code).name if code < 0 else f"exit code {code}"
+
+
+def note(line: dict[str, Any], result: Result) -> None:
+    if "stage" in line:
+        result.wall.setdefault(line["stage"], []).append(line["wall"])
+        if line["user"] is not None:
+            result.user.setdefault(line["stage"], []).append(line["user"])
+    elif line["fact"].startswith(("stroke", "dab")):  # one of each stroke
+        result.facts.setdefault(line["fact"], []).append(line["value"])
+    else:
+        result.facts[line["fact"]] = line["value"]
+
+
+def judge(values: Any, scene: Scene) -> dict[str, float]:
+    """How well the field of the first painting was solved."""
+    free = np.isnan(scene.first)
+    rhs = right_side(scene.stiffness, scene.first)[free]
+    residual = (whole(scene.stiffness) @ values)[free]  # painted values bring the right-hand side with them
+    return {
+        "residual": float(np.linalg.norm(residual) / np.linalg.norm(rhs)),
+        "error": float(np.abs(values - scene.reference).max()),
+    }

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""dirichlet_surface, through its NumPy arrays."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import dirichlet_surface as surface
+import numpy as np
+
+from ..recorder import Memory, Recorder
+from ..scene import Scene, brush, prescribed
+
+PRECISION = "double"
+FACTOR_STAGES = ("injection", "factorisation")
+
+
+def run(scene: Scene, field: Path, recorder: Recorder, precision: str = PRECISION) -> None:
+    options = {} if precision == PRECISION else {"precision": precision}
+    live(scene, field, recorder, options)
+    cold(scene, recorder, options)
+
+
+def cold(scene: Scene, recorder: Recorder, options: dict[str, Any]) -> None:
+    """Arrays in, field out; and the part of it that is order, factor and solve."""
+    vertices, values = prescribed(scene.first)
+
+    def once(_: int) -> None:
+        with recorder.time("arrays to field"):
+            solver = surface.HarmonicSolver(surface.Mesh(scene.positions, scene.faces), vertices, **options)
+            solver.solve(values)
+        seconds = solver.report.seconds
+        for stage in (*FACTOR_STAGES, "laplacian"):
+            recorder.record(stage, seconds[stage])
+        recorder.record("solve", seconds["solve"])
+        recorder.record("cold solve", sum(seconds[stage] for stage in (*FACTOR_STAGES, "solve")))
+
+    recorder.repeat(once)
+
+
+def live(scene: Scene, field: Path, recorder: Recorder, options: dict[str, Any]) -> None:
+    """One solver for all paintings of the mesh."""
+    vertices, values = prescribed(scene.first)
+    mesh = surface.Mesh(scene.positions, scene.faces)
+    memory = Memory()
+    solver = surface.HarmonicSolver(mesh, vertices, **options)
+    np.save(field, solver.solve(values))
+    recorder.state("memory", memory.peak())
+    recorder.state("own residual", solver.report.relative_residual)
+    if hasattr(solver, "paint"):
+        paint(solver, scene, recorder, memory)
+    else:
+        recorder.state("note", "there is no HarmonicSolver.paint yet")
+
+    def solve_values(run: int) -> None:
+        with recorder.time("values"):
+            solver.solve(values + 0.01 * run)
+
+    recorder.repeat(solve_values)
+    columns = np.repeat(values[:, None], 16, axis=1)
+
+    def solve_columns(_: int) -> None:
+        with recorder.time("16 columns"):
+            solver.solve(columns)
+
+    recorder.repeat(solve_columns)
+
+
+def paint(solver: Any, scene: Scene, recorder: Recorder, memory: Memory) -> None:
+    """Strokes, dabs and whole paintings; what the solver did about them becomes facts. Ends with the first painting."""
+    paintings = [prescribed(painting) for painting in (scene.second, scene.first)]
+
+    def repaint(run: int) -> None:
+        with recorder.time("later"):
+            solver.paint(*paintings[run % 2])
+        recorder.record("later factor", sum(solver.report.seconds[stage] for stage in FACTOR_STAGES))
+
+    for kind in ("stroke", "dab"):
+        solver.paint(*paintings[1])
+        recorder.repeat(stroker(solver, [prescribed(painting) for painting in brush(scene, kind)], kind, recorder))
+    recorder.state("memory with strokes", memory.peak())
+    recorder.repeat(repaint)
+    solver.paint(*paintings[1])
+
+
+def stroker(solver: Any, paintings: list[Any], kind: str, recorder: Recorder) -> Callable[[int], None]:
+    def stroke(run: int) -> None:
+        if run >= len(paintings):
+            return
+        with recorder.time(kind):
+            solver.paint(*paintings[run])
+        recorder.state(f"{kind} update", solver.report.update)
+        recorder.state(f"{kind} repeated", solver.report.repeated)
+
+    return stroke

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The measurements as Markdown. `data` is what report.json holds."""
+
+from collections import Counter
+from statistics import median
+from typing import Any
+
+from .figures import CLAIMS, OURS, PLAIN, curve, ratios, slope
+
+SOLVER_STAGES = {  # stage: heading
+    "cold solve": "order, factor, solve",
+    "arrays to field": "arrays to field",
+    "later factor": "later factor",
+    "values": "values only",
+    "stroke": "stroke",
+    "dab": "dab",
+    "16 columns": "16 columns",
+}
+LINE_STAGES = {"connectivity": "connectivity", "13 isolines": "13 isolines", "100 isolines": "100 isolines"}
+SOLVER_FACTS = ("memory", "memory with strokes", "residual", "error")
+GROWTH_FROM = 100_000
+
+
+def write(data: dict[str, Any]) -> str:
+    machine, effort = data["machine"], data["effort"]
+    head = [
+        "# Ours beside other libraries",
+        "{processor}, {cores} cores, {memory_gb} GB, {system}; load {load_before:.1f} before the run.".format(
+            **machine
+        ),
+        f"Commit {machine['commit']}, {machine['date']}. Medians of {effort['runs']} runs, fewer where they take longer"
+        f" than {effort['seconds']:g} s together; lowest and highest in brackets.",
+        "## Ratios to the best peer",
+        claims_table(data["scenes"]),
+        "Targets are the project's own, for its reference machine. Times in milliseconds, memory in MB.",
+    ]
+    scenes = [part for scene in data["scenes"] for part in describe(scene)]
+    growth = growth_table(data["scenes"])
+    tail = ["## Growth", "Time ~ n^p, fitted from 100,000 vertices on.", growth] if growth else []
+    return "\n\n".join([*head, *scenes, *tail, NOTES]) + "\n"
+
+
+NOTES = """## What is compared
+
+- Graph Laplacian, six discs of 0.5 % of the vertices painted 0 to 1; a stroke adds 0.1 % of the vertices, a dab 30.
+- *Order, factor, solve*: peers get the free vertices' matrix ready-made; ours makes its matrix within the time.
+- *Later*, *values*, *stroke*, *dab*: peers keep their analysis too, painted vertices being identity rows of the mesh's
+  pattern; a stroke is their factor and solve. Ours is `HarmonicSolver.paint`, checks of its arguments included.
+- *Arrays to field*: from positions and faces, connectivity and assembly included. libigl has cotangent weights.
+- pyamg solves to a relative residual of 1e-8. Isolines: VTK joins segments to lines as ours does, libigl does not;
+  potpourri3d takes a level at a time. Lengths agree when all did the same work.
+- Memory: highest of the process over what it held before. Error: the largest, against a reference refined with
+  residuals in extended precision.
+- CHOLMOD: supernodal, Debian's, OpenBLAS told its processor. Waiting threads sleep rather than spin."""
+
+
+def table(rows: list[list[str]]) -> str:
+    """The first row is the head; the first column is text, the others are figures."""
+    lines = [f"| {' | '.join(row)} |" for row in rows]
+    return "\n".join([lines[0], "| --- |" + " ---: |" * (len(rows[0]) - 1), *lines[1:]])
+
+
+def short(value: float) -> str:
+    """Three digits that count."""
+    return f"{value:.2e}" if 0 < value < 1e-3 else f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
+
+
+def shown_time(runs: list[float] | None) -> str:
+    if not runs:
+        return "–"
+    middle, low, high = (short(1000 * value) for value in (median(runs), min(runs), max(runs)))
+    return f"{middle} [{low}, {high}]"
+
+
+def claims_table(scenes: list[dict[str, Any]]) -> str:
+    rows = [["what", "mesh", "ours", "peer", "best peer", "ratio", "target", "reached"]]
+    for claim in CLAIMS:
+        scale = 1 if claim.stage.startswith("memory") else 1000
+        for ratio in ratios(claim, scenes):
+            quotient = ratio.ours / ratio.peer
+            goal = ["", ""] if ratio.target is None else [f"≤ {ratio.target:.2g}", reached(quotient, ratio.target)]
+            sides = [short(scale * ratio.ours), short(scale * ratio.peer)]
+            rows.append([claim.what, ratio.scene, *sides, ratio.title, f"{quotient:.2g}", *goal])
+    return table(rows)
+
+
+def reached(quotient: float, target: float) -> str:
+    return "yes" if quotient <= target else "no"
+
+
+def describe(scene: dict[str, Any]) -> list[str]:
+    """All that was measured on one mesh."""
+    title = "## {scene}: {vertices:,} vertices, {faces:,} faces, {painted:,} painted".format(**scene)
+    results = scene["results"]
+    trouble = [f"- {result['title']}: {result['trouble']}" for result in results if result["trouble"]]
+    parts = [solver_table(results), lines_table(results), strokes_said(results)]
+    if trouble:
+        parts.append("Not or not wholly measured:\n\n" + "\n".join(trouble))
+    return [title, *(part for part in parts if part)]
+
+
+def solver_table(results: list[dict[str, Any]]) -> str:
+    rows = [["ms", *SOLVER_STAGES.values(), "first, user time", "MB", "MB with strokes", "residual", "error"]]
+    for result in results:
+        if any(stage in result["wall"] for stage in SOLVER_STAGES):
+            cells = [shown_time(result["wall"].get(stage)) for stage in SOLVER_STAGES]
+            user = result["user"].get("cold solve") or result["user"].get("arrays to field")
+            facts = [short(result["facts"][fact]) if fact in result["facts"] else "–" for fact in SOLVER_FACTS]
+            rows.append([result["title"], *cells, shown_time(user), *facts])
+    return table(rows) if len(rows) > 1 else ""
+
+
+def lines_table(results: list[dict[str, Any]]) -> str:
+    rows = [["ms", *LINE_STAGES.values(), "length of 13", "length of 100"]]
+    for result in results:
+        if any(stage in result["wall"] for stage in LINE_STAGES):
+            lengths = [result["facts"].get(f"length of {count}") for count in (13, 100)]
+            shown = ["–" if length is None else f"{length:.8g}" for length in lengths]
+            rows.append([result["title"], *(shown_time(result["wall"].get(stage)) for stage in LINE_STAGES), *shown])
+    return table(rows) if len(rows) > 1 else ""
+
+
+def strokes_said(results: list[dict[str, Any]]) -> str:
+    """What our solver did at strokes and dabs."""
+    lines = []
+    for result in results:
+        for kind in ("stroke", "dab"):
+            if updates := result["facts"].get(f"{kind} update"):
+                did = ", ".join(f"{count} × {update}" for update, count in Counter(updates).items())
+                share = median(result["facts"][f"{kind} repeated"])
+                lines.append(f"- {result['title']}, {kind}: {did}; {share:.0%} of the factor's work repeated (median)")
+    return "\n".join(lines)
+
+
+def growth_table(scenes: list[dict[str, Any]]) -> str:
+    stages = {**SOLVER_STAGES, "laplacian": "Laplacian", "factorisation": "factorisation alone", "solve": "solve alone"}
+    large = [scene for scene in scenes if scene["scene"] in PLAIN and scene["vertices"] > GROWTH_FROM]
+    titles = dict.fromkeys(result["title"] for scene in large for result in scene["results"])
+    rows = [["p", *stages.values(), *LINE_STAGES.values()]]
+    for title in titles:
+        if title.startswith(OURS.rstrip(", ")):
+            slopes = [slope(curve(large, title, stage)) for stage in (*stages, *LINE_STAGES)]
+            if any(p is not None for p in slopes):
+                rows.append([title, *("–" if p is None else f"{p:.2f}" for p in slopes)])
+    return table(rows) if len(rows) > 1 else ""
