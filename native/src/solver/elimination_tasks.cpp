@@ -63,8 +63,9 @@ EliminationTasks cut(const SymbolicFactor& symbolic, Index most_columns) {
 } // namespace
 
 EliminationTasks cut_into_tasks(const SymbolicFactor& symbolic, std::int64_t most_kept) {
-  constexpr Index kSmallest = 256; // columns; below, a task costs more than it saves
-  for (Index most = std::max(kSmallest, symbolic.size() / 1024);;
+  constexpr Index kSmallest = 256;  // columns; below, a task costs more than it saves
+  constexpr Index kMostTasks = 256; // about: what is kept for more of them takes long to write and saves little
+  for (Index most = std::max(kSmallest, symbolic.size() / kMostTasks);;
        most = most > symbolic.size() / 2 ? symbolic.size() : 2 * most) {
     EliminationTasks tasks = cut(symbolic, most);
     if (tasks.kept_size <= most_kept || most >= symbolic.size()) return tasks;

@@ -3,24 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 
 #include "dirichlet/error.h"
 #include "index.h"
 #include "message.h"
 #include "parallel.h"
+#include "team.h"
 
 namespace dirichlet {
 namespace {
-
-/// Hands 0 … count − 1 to f, each as soon as a thread is free.
-template <class F>
-void share_out(Index count, std::size_t threads, const F& f) {
-  std::atomic<Index> next{0};
-  parallel_chunks(std::min(threads, at(count)), 1, [&](std::size_t, std::size_t) {
-    for (Index i = next++; i < count; i = next++) f(i);
-  });
-}
 
 /// The lower triangle of a child's update matrix added into the panel and the update matrix of its parent.
 template <class Real>
@@ -36,15 +27,6 @@ void extend_add(const Real* child, std::span<const Index> place, Index w, Index 
 
 } // namespace
 
-/// What a thread needs of its own.
-template <class Real>
-struct Factor<Real>::Workspace {
-  std::unique_ptr<Index[]> place;   ///< (n,) of every row of the front in work: its place there
-  std::unique_ptr<Real[]> stack;    ///< update matrices inside a subtree
-  std::vector<const Real*> updates; ///< of the supernodes whose parent is still to come, in their order
-  std::size_t threads = 1;          ///< that a single front may use
-};
-
 template <class Real>
 Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared_ptr<const OrderedMatrix> matrix,
                      std::int64_t most_kept)
@@ -57,6 +39,10 @@ Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared
   const Index count = f.supernode_count();
   relative_.resize(f.rows.size());
   child_offsets_.assign(at(count) + 1, 0);
+  for (Workspace& space : spaces_) {
+    space.place = std::make_unique_for_overwrite<Index[]>(at(f.size()));
+    space.stack = std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(tasks_.stack_size));
+  }
   work_.assign(tasks_.tasks.size(), 0);
   for (Index s = 0; s < count; ++s) {
     const double m = f.width(s) + f.row_count(s);
@@ -117,12 +103,15 @@ void Factor<Real>::eliminate(Index s, const Mask& fixed, Real* update, std::span
   }
 
   constexpr double kWorthSharing = 2e6; // floating-point operations
-  const std::size_t threads = 1.0 * w * m * m < kWorthSharing ? 1 : space.threads;
-  const auto parallel_for = [threads](Index pieces, const auto& piece) { share_out(pieces, threads, piece); };
-  const auto pieces = static_cast<Index>(threads);
-  if (const Index good = factor_panel(kernels_, panel, m, w, m, pieces, parallel_for); good < w)
+  Team* const team = 1.0 * w * m * m < kWorthSharing ? nullptr : space.team;
+  const auto share_out = [team](Index parts, const auto& part) {
+    if (team != nullptr) return team->share_out(parts, part);
+    for (Index i = 0; i < parts; ++i) part(i);
+  };
+  const auto pieces = team == nullptr ? 1 : static_cast<Index>(team->size());
+  if (const Index good = factor_panel(kernels_, panel, m, w, m, pieces, share_out); good < w)
     throw SolverError(message("the matrix is singular at vertex ", f.order[at(first + good)]));
-  share_out((r + UpdateLayout::kBlock - 1) / UpdateLayout::kBlock, threads, [&](Index block) {
+  share_out((r + UpdateLayout::kBlock - 1) / UpdateLayout::kBlock, [&](Index block) {
     const Index j = block * UpdateLayout::kBlock, below = r - j;
     kernels_.rank_update(update + UpdateLayout::block(r, j), below, panel + w + j, m, below, w, 0,
                          std::min(UpdateLayout::kBlock, below));
@@ -160,14 +149,6 @@ void Factor<Real>::run_task(Index number, const Mask& fixed, Workspace& space) {
 template <class Real>
 void Factor<Real>::run(const Mask& fixed, const std::vector<std::uint8_t>& dirty) {
   const auto& tasks = tasks_.tasks;
-  const auto run_range = [&](Index begin, Index end, std::size_t threads) {
-    Workspace space;
-    space.place = std::make_unique_for_overwrite<Index[]>(at(symbolic_->size()));
-    space.stack = std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(tasks_.stack_size));
-    space.threads = threads;
-    for (Index t = begin; t < end; ++t)
-      if (dirty[at(t)] != 0) run_task(t, fixed, space);
-  };
   const Index middle = symbolic_->group[1] < symbolic_->supernode_count() ? tasks_.owner[at(symbolic_->group[1])]
                                                                           : static_cast<Index>(tasks.size());
   const auto any = [&](Index begin, Index end) {
@@ -175,14 +156,22 @@ void Factor<Real>::run(const Mask& fixed, const std::vector<std::uint8_t>& dirty
   };
   double work = 0;
   for (std::size_t t = 0; t < dirty.size(); ++t) work += dirty[t] != 0 ? work_[t] : 0;
-  constexpr double kWorthThreads = 5e7; // less is done before a second thread has started
-  const std::size_t cores = work > kWorthThreads ? core_count() : 1;
-  if (any(0, middle) && any(middle, tasks_.shared)) {
-    share_out(2, cores, [&](Index half) { run_range(half == 0 ? 0 : middle, half == 0 ? middle : tasks_.shared, 1); });
-  } else {
-    run_range(0, tasks_.shared, cores);
-  }
-  run_range(tasks_.shared, static_cast<Index>(tasks.size()), cores);
+  constexpr double kWorthSecond = 4e6, kWorthAll = 1e8; // less is done before they have started
+  Team team(work < kWorthSecond ? 1 : work < kWorthAll ? std::min<std::size_t>(2, core_count()) : core_count());
+  const auto run_range = [&](Index begin, Index end, Workspace& space) {
+    for (Index t = begin; t < end; ++t)
+      if (dirty[at(t)] != 0) run_task(t, fixed, space);
+  };
+  const bool both = any(0, middle) && any(middle, tasks_.shared);
+  for (Workspace& space : spaces_) space.team = both ? nullptr : &team;
+  if (both)
+    team.share_out(2, [&](Index half) {
+      run_range(half == 0 ? 0 : middle, half == 0 ? middle : tasks_.shared, spaces_[at(half)]);
+    });
+  else
+    run_range(0, tasks_.shared, spaces_[0]);
+  spaces_[0].team = &team;
+  run_range(tasks_.shared, static_cast<Index>(tasks.size()), spaces_[0]);
 }
 
 template <class Real>
@@ -212,9 +201,10 @@ void Factor<Real>::forward(Index begin, Index end, Real* x, Real* shared, Index 
   std::vector<Real> below;
   for (Index s = begin; s < end; ++s) {
     const Index w = f.width(s), m = w + f.row_count(s);
+    Real* const own = x + std::int64_t{f.columns[at(s)]} * k;
+    if (std::all_of(own, own + std::int64_t{w} * k, [](Real value) { return value == 0; })) continue; // as is most of x
     below.assign(at(m - w) * at(k), Real{0});
-    kernels_.forward(panels_.get() + f.panel_offsets[at(s)], m, w, m, x + std::int64_t{f.columns[at(s)]} * k,
-                     below.data(), k);
+    kernels_.forward(panels_.get() + f.panel_offsets[at(s)], m, w, m, own, below.data(), k);
     const Real* from = below.data();
     for (const Index row : f.rows_of(s)) {
       Real* to = row < shared_begin ? x + std::int64_t{row} * k : shared + std::int64_t{row - shared_begin} * k;
@@ -241,10 +231,11 @@ template <class Real>
 void Factor<Real>::solve(std::span<Real> x, Index k) const {
   const SymbolicFactor& f = *symbolic_;
   const Index shared_begin = f.columns[at(f.group[2])];
-  const std::size_t cores = f.factor_size() * k > (1 << 21) ? core_count() : 1;
+  constexpr std::int64_t kWorthSecond = 1 << 17; // numbers; fewer are read before a second thread has started
+  Team team(f.factor_size() * k < kWorthSecond ? 1 : std::min<std::size_t>(2, core_count()));
   const std::size_t shared_size = at(f.size() - shared_begin) * at(k);
   std::array<std::vector<Real>, 2> shared; // each half's part; added in this order, whoever is first
-  share_out(2, cores, [&](Index half) {
+  team.share_out(2, [&](Index half) {
     shared[at(half)].assign(shared_size, Real{0});
     forward(f.group[at(half)], f.group[at(half) + 1], x.data(), shared[at(half)].data(), k);
   });
@@ -252,14 +243,14 @@ void Factor<Real>::solve(std::span<Real> x, Index k) const {
   for (std::size_t i = 0; i < shared_size; ++i) top[i] += shared[0][i] + shared[1][i];
   forward(f.group[2], f.supernode_count(), x.data(), top, k);
   backward(f.group[2], f.supernode_count(), x.data(), k);
-  share_out(2, cores, [&](Index half) { backward(f.group[at(half)], f.group[at(half) + 1], x.data(), k); });
+  team.share_out(2, [&](Index half) { backward(f.group[at(half)], f.group[at(half) + 1], x.data(), k); });
 }
 
 template <class Real>
 std::int64_t Factor<Real>::bytes() const {
   const auto real = static_cast<std::int64_t>(sizeof(Real)), index = static_cast<std::int64_t>(sizeof(Index));
-  return (symbolic_->factor_size() + tasks_.kept_size) * real +
-         static_cast<std::int64_t>(2 * symbolic_->rows.size() + 6 * at(symbolic_->size()) + matrix_->columns.size()) *
+  return (symbolic_->factor_size() + tasks_.kept_size + 2 * tasks_.stack_size) * real +
+         static_cast<std::int64_t>(2 * symbolic_->rows.size() + 8 * at(symbolic_->size()) + matrix_->columns.size()) *
              index +
          static_cast<std::int64_t>(matrix_->values.size() * sizeof(double));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "solver/symbolic.h"
 
 namespace dirichlet {
+
+class Team;
 
 /// Multifrontal Cholesky factor L Lᵀ of the injected twin (I − M) K (I − M) + M (Duff & Reid 1983; Liu 1992), which can
 /// follow changes of M: painted vertices are identity rows, so structure and storage never change.
@@ -42,7 +45,13 @@ class Factor {
   [[nodiscard]] std::int64_t bytes() const; ///< of everything it holds, the matrix included
 
  private:
-  struct Workspace;
+  /// What a thread needs of its own.
+  struct Workspace {
+    std::unique_ptr<Index[]> place;   ///< (n,) of every row of the front in work: its place there
+    std::unique_ptr<Real[]> stack;    ///< update matrices inside a subtree
+    std::vector<const Real*> updates; ///< of the supernodes whose parent is still to come, in their order
+    Team* team = nullptr;             ///< that may share a front
+  };
   void run(const Mask& fixed, const std::vector<std::uint8_t>& dirty);
   void run_task(Index number, const Mask& fixed, Workspace& space);
   void eliminate(Index s, const Mask& fixed, Real* update, std::span<const Real* const> child_updates,
@@ -62,6 +71,7 @@ class Factor {
   const DenseKernels<Real>& kernels_;
   std::unique_ptr<Real[]> panels_; ///< the factor
   std::unique_ptr<Real[]> kept_;   ///< update matrices of tasks
+  std::array<Workspace, 2> spaces_;
 };
 
 } // namespace dirichlet

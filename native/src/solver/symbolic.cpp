@@ -20,12 +20,11 @@ std::int64_t panel_size(std::int64_t width, std::int64_t rows) {
   return width * (width + rows);
 }
 
-/// Whether storing `zeros` superfluous numbers is worth a larger dense block. Small blocks cost more in overhead than
-/// in arithmetic.
+/// Whether storing `zeros` superfluous numbers is worth a larger dense block: very few of them cost less than one more
+/// block would.
 bool worth_merging(std::int64_t width, std::int64_t rows, std::int64_t zeros) {
-  const auto stored = static_cast<double>(width * (width + 1) / 2 + width * rows);
-  const double share = static_cast<double>(zeros) / stored;
-  return width <= 4 || (width <= 16 && share < 0.5) || (width <= 48 && share < 0.12) || share < 0.05;
+  const std::int64_t stored = width * (width + 1) / 2 + width * rows;
+  return zeros <= 100 || zeros < stored / 20;
 }
 
 /// Columns of equal structure joined, then a supernode with the last of its children where that is worth it.
