@@ -40,7 +40,7 @@ DIRICHLET_INLINE int factor_block(Real* a, Size ld, Triangle<Real, N>& L) {
     for (int i = j + 1; i < N; ++i) {
       const Real factor = s[j][i] * reciprocal;
       DIRICHLET_UNROLL
-      for (int k = i; k < N; ++k) s[i][k] -= s[j][k] * factor;
+      for (int k = i; k < N; ++k) Scalar<Real>::subtract_product(s[i][k], s[j][k], factor);
     }
     a[j + j * ld] = root;
     L.entry[j][j] = root * reciprocal;

@@ -73,20 +73,20 @@ void forward_vector(const Real* l, Size m, Size w, Size ld, Real* x1, Real* x2) 
   });
 }
 
-/// Adds to sum[n] column n of L (rows, N) times x, lane by lane; what is too short for a vector goes to `result`
+/// Subtracts from sum[n] column n of L (rows, N) times x, lane by lane; what is too short for a vector goes to `result`
 /// itself.
 template <class S, int N, class Real>
-DIRICHLET_INLINE void add_products(typename S::Vector (&sum)[N], Tile<Scalar<Real>, 1, N>& result, Size rows,
+DIRICHLET_INLINE void subtract_products(typename S::Vector (&sum)[N], Tile<Scalar<Real>, 1, N>& result, Size rows,
                                    const Real* l, Size ld, const Real* x) {
   if (rows < S::kLanes) return result.subtract(x, 1, l, 1, ld, rows);
-  const auto add = [&](Size i, const typename S::Vector& part) {
+  const auto subtract = [&](Size i, const typename S::Vector& part) {
     DIRICHLET_UNROLL
-    for (int n = 0; n < N; ++n) sum[n] += S::load(l + i + n * ld) * part;
+    for (int n = 0; n < N; ++n) S::subtract_product(sum[n], S::load(l + i + n * ld), part);
   };
   Size i = 0;
-  for (; i + S::kLanes <= rows; i += S::kLanes) add(i, S::load(x + i));
+  for (; i + S::kLanes <= rows; i += S::kLanes) subtract(i, S::load(x + i));
   const Size last = rows - S::kLanes;
-  if (i < rows) add(last, S::load_behind(x + last, i - last));
+  if (i < rows) subtract(last, S::load_behind(x + last, i - last));
 }
 
 template <class S, class Real>
@@ -95,10 +95,10 @@ void backward_vector(const Real* l, Size m, Size w, Size ld, Real* x1, const Rea
     const Real* const column = l + j * ld;
     Tile<Scalar<Real>, 1, N> tile(x1 + j, 1);
     typename S::Vector sum[N] = {};
-    add_products<S>(sum, tile, m - w, column + w, ld, x2);
-    add_products<S>(sum, tile, w - j - N, column + j + N, ld, x1 + j + N);
+    subtract_products<S>(sum, tile, m - w, column + w, ld, x2);
+    subtract_products<S>(sum, tile, w - j - N, column + j + N, ld, x1 + j + N);
     DIRICHLET_UNROLL
-    for (int n = 0; n < N; ++n) tile.value[n][0] -= S::sum(sum[n]);
+    for (int n = 0; n < N; ++n) tile.value[n][0] += S::sum(sum[n]);
     tile.divide(Triangle<Real, N>(column + j, ld));
     tile.store(x1 + j, 1, 0);
   });

@@ -61,9 +61,9 @@ struct Tile {
       for (int r = 0; r < R; ++r) x[r] = S::load(a + r * S::kLanes);
       DIRICHLET_UNROLL
       for (int n = 0; n < N; ++n) {
-        const Real factor = b[n * b_column];
+        const typename S::Vector factor = S::fill(b[n * b_column]);
         DIRICHLET_UNROLL
-        for (int r = 0; r < R; ++r) value[n][r] -= x[r] * factor;
+        for (int r = 0; r < R; ++r) S::subtract_product(value[n][r], x[r], factor);
       }
     }
   }
@@ -75,7 +75,7 @@ struct Tile {
       DIRICHLET_UNROLL
       for (int r = 0; r < R; ++r) {
         DIRICHLET_UNROLL
-        for (int q = 0; q < n; ++q) value[n][r] -= value[q][r] * L.entry[q][n];
+        for (int q = 0; q < n; ++q) S::subtract_product(value[n][r], value[q][r], S::fill(L.entry[q][n]));
         value[n][r] *= L.entry[n][n];
       }
     }
@@ -88,7 +88,7 @@ struct Tile {
       DIRICHLET_UNROLL
       for (int r = 0; r < R; ++r) {
         DIRICHLET_UNROLL
-        for (int q = n + 1; q < N; ++q) value[n][r] -= value[q][r] * L.entry[n][q];
+        for (int q = n + 1; q < N; ++q) S::subtract_product(value[n][r], value[q][r], S::fill(L.entry[n][q]));
         value[n][r] *= L.entry[n][n];
       }
     }
