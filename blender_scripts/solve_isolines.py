@@ -99,7 +99,7 @@ def set_patches(addon: ModuleType, obj: bpy.types.Object, args: argparse.Namespa
 
 def _single(surface: ModuleType, name: str, value: float) -> float:
     """The value as Blender keeps it. Raises InputError for one that Blender would clamp."""
-    if abs(value) > np.finfo(np.float32).max:
+    if abs(value) > float(np.finfo(np.float32).max):  # compared in double: NumPy 2 would round the value first
         raise surface.InputError(f"patch '{name}' has the value {value}, which is beyond Blender's single precision")
     return float(np.float32(value))
 
