@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <queue>
 
-#include "solver/elimination_tree.h"
+#include "solver/elimination_forest.h"
 
 namespace dirichlet {
 namespace {
 
-/// A run of columns that is to be one supernode, as known before its rows are listed.
+/// A run of columns that is to be one supernode.
 struct Supernode {
-  Index first, width;
+  Index first, width; ///< columns in postorder
+  Index top;          ///< the last of the exact supernodes it is made of, whose rows are its own
   Index rows;         ///< below the columns
   std::int64_t zeros; ///< stored though they are 0
 };
@@ -27,24 +28,17 @@ bool worth_merging(std::int64_t width, std::int64_t rows, std::int64_t zeros) {
   return zeros <= 100 || zeros < stored / 20;
 }
 
-/// Columns of equal structure joined, then a supernode with the last of its children where that is worth it.
-std::vector<Supernode> find_supernodes(const EliminationTree& tree) {
-  const auto n = static_cast<Index>(tree.parent.size());
+/// Every supernode joined with the last of its children where that is worth it.
+std::vector<Supernode> amalgamate(const EliminationForest& forest) {
   std::vector<Supernode> supernodes;
-  for (Index j = 0; j < n;) {
-    Supernode now{j, 1, tree.count[at(j)] - 1, 0};
-    while (j + 1 < n && tree.parent[at(j)] == j + 1 && tree.count[at(j)] == tree.count[at(j) + 1] + 1) {
-      ++j;
-      ++now.width;
-      --now.rows;
-    }
-    ++j;
+  for (Index s = 0, first = 0; s < forest.size(); first += forest.width[at(s++)]) {
+    Supernode now{first, forest.width[at(s)], s, forest.row_count[at(s)], 0};
     while (!supernodes.empty()) {
       const Supernode& child = supernodes.back();
-      const Index up = tree.parent[at(now.first - 1)];
-      if (up == -1 || up >= now.first + now.width) break;
+      const Index up = forest.parent[at(child.top)];
+      if (up == -1 || up > s) break;
       const std::int64_t added = std::int64_t{child.width} * (now.width + now.rows - child.rows);
-      const Supernode merged{child.first, child.width + now.width, now.rows, child.zeros + now.zeros + added};
+      const Supernode merged{child.first, child.width + now.width, s, now.rows, child.zeros + now.zeros + added};
       if (added > 0 && !worth_merging(merged.width, merged.rows, merged.zeros)) break;
       now = merged;
       supernodes.pop_back();
@@ -54,11 +48,14 @@ std::vector<Supernode> find_supernodes(const EliminationTree& tree) {
   return supernodes;
 }
 
-std::vector<Index> supernode_parents(const EliminationTree& tree, const std::vector<Supernode>& supernodes) {
-  std::vector<Index> owner(tree.parent.size()), parent;
-  for (Index s = 0; const Supernode& node : supernodes) std::fill_n(owner.begin() + node.first, node.width, s++);
+std::vector<Index> supernode_parents(const EliminationForest& forest, const std::vector<Supernode>& supernodes) {
+  std::vector<Index> owner(forest.parent.size()), parent; // of exact supernodes
+  for (Index s = 0, exact = 0; const Supernode& node : supernodes) {
+    while (exact <= node.top) owner[at(exact++)] = s;
+    ++s;
+  }
   for (const Supernode& node : supernodes) {
-    const Index up = tree.parent[at(node.first + node.width - 1)];
+    const Index up = forest.parent[at(node.top)];
     parent.push_back(up == -1 ? -1 : owner[at(up)]);
   }
   return parent;
@@ -103,50 +100,55 @@ std::vector<Index> split_forest(const std::vector<Supernode>& supernodes, const 
   return group;
 }
 
-/// Numbers supernodes and columns anew: one half, the other half, what they share; in each as before.
-/// \returns for every new position the old one, in postorder.
-std::vector<Index> place(const std::vector<Supernode>& supernodes, const std::vector<Index>& old_parent,
+/// Numbers the supernodes anew: one half, the other half, what they share; in each as before.
+/// \returns the old number of every new one.
+std::vector<Index> place(const std::vector<Supernode>& supernodes, const std::vector<Index>& parent,
                          SymbolicFactor& factor) {
-  const std::vector<Index> group = split_forest(supernodes, old_parent);
+  const std::vector<Index> group = split_forest(supernodes, parent);
   std::vector<Index> old, rank(supernodes.size());
   factor.columns.push_back(0);
   factor.row_offsets.push_back(0);
   factor.panel_offsets.push_back(0);
   for (const Index which : {0, 1, 2}) {
-    factor.group[at(which)] = factor.supernode_count();
+    factor.group[at(which)] = static_cast<Index>(old.size());
     for (std::size_t s = 0; s < supernodes.size(); ++s) {
       if (group[s] != which) continue;
-      const auto& [first, width, rows, zeros] = supernodes[s];
-      rank[s] = factor.supernode_count();
-      factor.parent.push_back(old_parent[s]);
-      for (Index j = first; j < first + width; ++j) old.push_back(j);
-      factor.owner.insert(factor.owner.end(), at(width), rank[s]);
-      factor.columns.push_back(static_cast<Index>(old.size()));
+      const std::int64_t width = supernodes[s].width, rows = supernodes[s].rows;
+      rank[s] = static_cast<Index>(old.size());
+      old.push_back(static_cast<Index>(s));
+      factor.columns.push_back(factor.columns.back() + supernodes[s].width);
       factor.row_offsets.push_back(factor.row_offsets.back() + rows);
       factor.panel_offsets.push_back(factor.panel_offsets.back() + panel_size(width, rows));
     }
   }
-  for (Index& up : factor.parent)
-    if (up >= 0) up = rank[at(up)];
+  for (const Index s : old) factor.parent.push_back(parent[at(s)] < 0 ? -1 : rank[at(parent[at(s)])]);
   return old;
 }
 
-/// The rows below every supernode's columns: row i is in all supernodes on the paths from its entries up to its own.
-/// \param column  the number that every position has in the pattern.
-void list_rows(const OrderedPattern& pattern, std::span<const Index> column, SymbolicFactor& factor) {
-  std::vector<Index> owner(column.size()); // by number in the pattern
-  for (std::size_t i = 0; i < column.size(); ++i) owner[at(column[i])] = factor.owner[i];
-  factor.rows.resize(static_cast<std::size_t>(factor.row_offsets.back()));
-  std::vector<std::int64_t> next(factor.row_offsets.begin(), factor.row_offsets.end() - 1);
-  std::vector<Index> mark(factor.parent.size(), -1);
-  for (Index i = 0; i < pattern.size(); ++i) { // ascending, so are the rows
-    mark[at(factor.owner[at(i)])] = i;
-    for (Index e = pattern.offsets[at(column[at(i)])]; e < pattern.upper[at(column[at(i)])]; ++e)
-      for (Index s = owner[at(pattern.columns[at(e)])]; mark[at(s)] != i; s = factor.parent[at(s)]) {
-        mark[at(s)] = i;
-        factor.rows[static_cast<std::size_t>(next[at(s)]++)] = i;
-      }
+/// \returns the position of every column of the pattern: exact supernodes one after the other, as they were placed.
+std::vector<Index> place_columns(const EliminationForest& forest, const std::vector<Supernode>& supernodes,
+                                 const std::vector<Index>& old, SymbolicFactor& factor) {
+  std::vector<Index> next(forest.parent.size()), position(forest.owner.size());
+  factor.owner.resize(position.size());
+  for (std::size_t s = 0; s < old.size(); ++s) {
+    const Index from = old[s] == 0 ? 0 : supernodes[at(old[s] - 1)].top + 1;
+    Index column = factor.columns[s];
+    std::fill(factor.owner.begin() + column, factor.owner.begin() + factor.columns[s + 1], static_cast<Index>(s));
+    for (Index exact = from; exact <= supernodes[at(old[s])].top; ++exact) {
+      next[at(exact)] = column;
+      column += forest.width[at(exact)];
+    }
   }
+  for (std::size_t j = 0; j < position.size(); ++j) position[j] = next[at(forest.owner[j])]++;
+  return position;
+}
+
+/// Ancestors stay in their order whatever the postorder, so the rows of each supernode stay ascending.
+void place_rows(const EliminationForest& forest, const std::vector<Supernode>& supernodes,
+                const std::vector<Index>& old, const std::vector<Index>& position, SymbolicFactor& factor) {
+  factor.rows.reserve(static_cast<std::size_t>(factor.row_offsets.back()));
+  for (const Index s : old)
+    for (const Index row : forest.rows_of(supernodes[at(s)].top)) factor.rows.push_back(position[at(row)]);
 }
 
 } // namespace
@@ -162,15 +164,15 @@ double SymbolicFactor::flops() const {
 }
 
 SymbolicFactor analyse(const Graph& graph, std::span<const Index> elimination_order) {
-  const OrderedPattern pattern = order_pattern(graph, elimination_order, inverse_permutation(elimination_order));
-  const EliminationTree tree = eliminate(pattern);
-  const std::vector<Supernode> supernodes = find_supernodes(tree);
+  const EliminationForest forest =
+      eliminate(order_pattern(graph, elimination_order, inverse_permutation(elimination_order)));
+  const std::vector<Supernode> supernodes = amalgamate(forest);
   SymbolicFactor factor;
-  std::vector<Index> column = place(supernodes, supernode_parents(tree, supernodes), factor);
-  const std::vector<Index> post = inverse_permutation(tree.rank);
-  for (Index& j : column) j = post[at(j)];
-  list_rows(pattern, column, factor);
-  for (const Index j : column) factor.order.push_back(elimination_order[at(j)]);
+  const std::vector<Index> old = place(supernodes, supernode_parents(forest, supernodes), factor);
+  const std::vector<Index> position = place_columns(forest, supernodes, old, factor);
+  place_rows(forest, supernodes, old, position, factor);
+  factor.order.resize(position.size());
+  for (std::size_t j = 0; j < position.size(); ++j) factor.order[at(position[j])] = elimination_order[j];
   factor.position = inverse_permutation(factor.order);
   return factor;
 }

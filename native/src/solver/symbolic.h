@@ -55,9 +55,8 @@ struct SymbolicFactor {
 /// Analyses a symmetric pattern in the given order of elimination (a permutation of its vertices), which is refined to
 /// one that keeps the descendants of every supernode together at the same fill.
 ///
-/// Elimination tree by path compression (Liu 1986), column counts in almost linear time (Gilbert, Ng & Peyton 1994),
-/// relaxed supernodes (Ashcraft & Grimes 1989). Cost: O(entries α(n) + rows); memory of the result and a few (n,)
-/// arrays.
+/// Symbolic elimination by supernodes (George & Liu 1980), which are then relaxed (Ashcraft & Grimes 1989). Cost, for a
+/// mesh: O(entries + rows of supernodes) time and memory.
 SymbolicFactor analyse(const Graph& graph, std::span<const Index> elimination_order);
 
 } // namespace dirichlet

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/elimination_tree.h"
+#include "solver/elimination_forest.h"
 
 #include <algorithm>
 #include <random>
@@ -44,44 +44,43 @@ Rows filled(Rows entry) {
   return entry;
 }
 
-TEST(EliminationTree, knows_the_parent_and_the_entries_of_every_column_of_the_factor) {
+TEST(EliminationForest, has_exactly_the_rows_of_every_column_of_the_factor) {
   std::mt19937 random(1);
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < 200; ++trial) {
     const auto n = static_cast<Index>(1 + random() % 40);
     const Rows pattern = random_pattern(n, static_cast<Index>(random() % 80), random), factor = filled(pattern);
-    const EliminationTree tree = eliminate(compressed(pattern));
+    const EliminationForest forest = eliminate(compressed(pattern));
     for (Index j = 0; j < n; ++j) {
-      Index count = 0, first = -1;
-      for (Index i = j; i < n; ++i) {
-        count += factor[at(i)][at(j)] ? 1 : 0;
-        if (i > j && first == -1 && factor[at(i)][at(j)]) first = i;
-      }
-      const Index k = tree.rank[at(j)];
-      EXPECT_EQ(tree.count[at(k)], count) << "trial " << trial << ", column " << j;
-      EXPECT_EQ(tree.parent[at(k)], first == -1 ? -1 : tree.rank[at(first)]) << "trial " << trial << ", column " << j;
+      const Index s = forest.owner[at(j)];
+      std::vector<Index> rows(forest.rows_of(s).begin(), forest.rows_of(s).end()), expected;
+      for (Index i = n; i-- > j + 1;)
+        if (forest.owner[at(i)] == s) rows.insert(rows.begin(), i);
+      for (Index i = j + 1; i < n; ++i)
+        if (factor[at(i)][at(j)]) expected.push_back(i);
+      EXPECT_EQ(rows, expected) << "trial " << trial << ", column " << j;
     }
   }
 }
 
-TEST(EliminationTree, numbers_every_subtree_as_one_run_that_ends_with_its_root) {
+TEST(EliminationForest, numbers_every_subtree_as_one_run_that_ends_with_its_root) {
   std::mt19937 random(2);
-  for (int trial = 0; trial < 60; ++trial) {
-    const EliminationTree tree = eliminate(compressed(random_pattern(50, 60, random)));
-    std::vector<Index> first(50);
-    for (Index k = 0; k < 50; ++k) first[at(k)] = k;
-    for (Index k = 0, before = 0; k < 50; ++k) {
-      const Index up = tree.parent[at(k)];
-      EXPECT_TRUE(up == -1 || up > k);
-      if (up != -1) first[at(up)] = std::min(first[at(up)], first[at(k)]);
+  for (int trial = 0; trial < 200; ++trial) {
+    const EliminationForest forest = eliminate(compressed(random_pattern(50, 60, random)));
+    std::vector<Index> first(at(forest.size())), size(at(forest.size()), 1);
+    for (Index s = 0; s < forest.size(); ++s) first[at(s)] = s;
+    for (Index s = 0, begin = 0; s < forest.size(); ++s) {
+      const auto rows = forest.rows_of(s);
+      const Index up = forest.parent[at(s)];
+      EXPECT_EQ(up, rows.empty() ? -1 : forest.owner[at(rows.front())]);
+      EXPECT_EQ(first[at(s)], s - size[at(s)] + 1) << s;
       if (up == -1) {
-        EXPECT_EQ(first[at(k)], before) << "a root's subtree begins where the one before ends";
-        before = k + 1;
+        EXPECT_EQ(first[at(s)], begin) << "a root's subtree begins where the one before ends";
+        begin = s + 1;
+        continue;
       }
-    }
-    std::vector<Index> size(50, 1);
-    for (Index k = 0; k < 50; ++k) {
-      EXPECT_EQ(first[at(k)], k - size[at(k)] + 1) << k;
-      if (tree.parent[at(k)] != -1) size[at(tree.parent[at(k)])] += size[at(k)];
+      ASSERT_GT(up, s);
+      first[at(up)] = std::min(first[at(up)], first[at(s)]);
+      size[at(up)] += size[at(s)];
     }
   }
 }
