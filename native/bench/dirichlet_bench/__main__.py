@@ -79,8 +79,7 @@ def main(words: list[str]) -> int:
         PEER_PYTHON.exists()
         and not subprocess.run([PEER_PYTHON, "-m", f"{__package__}.pictures", file], check=False).returncode
     )
-    pictures = ", time.png, strokes.png" if drawn else "; no pictures, which need matplotlib"
-    print(f"In {options.output}: report.md, report.json{pictures}")
+    print(f"All of it is in {options.output}{'' if drawn else ', but for the pictures, which need matplotlib'}")
     return 0
 
 

@@ -19,6 +19,7 @@ ROOT = Path(__file__).resolve().parents[3]
 PEERS = ROOT / "build/bench/native/bench/dirichlet_peers"
 PEER_PYTHON = ROOT / "build/bench-venv/bin/python"
 OPENBLAS = Path("/usr/lib") / f"{os.uname().machine}-linux-gnu" / "openblas-pthread"
+WORST_RESIDUAL = 1e-7
 CORES = len(os.sched_getaffinity(0))
 
 
@@ -65,7 +66,7 @@ def every_contestant() -> list[Contestant]:
     """Ours first."""
     counts = sorted({1, CORES}, reverse=True)
     solvers = [by_python("ours", "ours", threads) for threads in counts]
-    solvers.append(by_python("ours, single precision", "ours_single"))
+    solvers += [by_python(f"ours {variant}", f"ours:{variant}") for variant in ("float32", "multigrid")]
     solvers += [
         Contestant(f"CHOLMOD, {name}", (PEERS, f"cholmod-{name.lower()}"), threads)
         for name in ("AMD", "METIS")
@@ -74,7 +75,7 @@ def every_contestant() -> list[Contestant]:
     solvers += [by_python("PARDISO", "pardiso", threads) for threads in counts]
     solvers.append(Contestant("Eigen LDLT", (PEERS, "eigen"), 1))
     solvers.append(by_python("pyamg", "multigrid", 1))
-    lines = [by_python("ours, lines", "ours_lines", threads) for threads in counts]
+    lines = [by_python("ours lines", "ours_lines", threads) for threads in counts]
     lines += [by_python("VTK", "vtk_contour"), by_python("potpourri3d", "potpourri", 1)]
     return [*solvers, by_python("libigl", "libigl"), *lines, Contestant("OpenMesh", (PEERS, "openmesh"), 1)]
 
@@ -111,6 +112,9 @@ def compete(contestant: Contestant, scene: Scene, folder: Path, effort: Effort) 
         result.trouble = f"missing: {result.facts['missing']}"
     if field_file.exists():
         result.facts |= judge(np.load(field_file), scene)
+        if not result.facts["residual"] < WORST_RESIDUAL:
+            result.trouble = f"not solved, so that its times do not count: residual {result.facts['residual']:.1e}"
+            result.wall, result.user = {}, {}
     return result
 
 
@@ -145,7 +149,7 @@ def note(line: dict[str, Any], result: Result) -> None:
         result.wall.setdefault(line["stage"], []).append(line["wall"])
         if line["user"] is not None:
             result.user.setdefault(line["stage"], []).append(line["user"])
-    elif line["fact"].startswith(("stroke", "dab")):  # one of each stroke
+    elif line["fact"].startswith(("later", "stroke", "dab")):  # one of each run
         result.facts.setdefault(line["fact"], []).append(line["value"])
     else:
         result.facts[line["fact"]] = line["value"]

@@ -25,7 +25,8 @@ PANELS = {
 }
 OURS_COLOR = "#c2185b"
 STYLES = {  # beginning of a title: colour, marker
-    "ours, single": ("#f48fb1", "D"),
+    "ours float32": ("#f48fb1", "D"),
+    "ours multigrid": ("#8e24aa", "P"),
     "ours": (OURS_COLOR, "o"),
     "CHOLMOD, AMD": ("#1565c0", "s"),
     "CHOLMOD, METIS": ("#64b5f6", "s"),
@@ -64,6 +65,8 @@ def draw_growth(scenes: list[dict[str, Any]], path: Path) -> None:
         axes.set_xticks([scene["vertices"] for scene in scenes], [scene["scene"] for scene in scenes])
         axes.xaxis.set_minor_locator(NullLocator())
         finish(axes)
+        if axes.lines:
+            axes.legend(fontsize=8, frameon=False)
     figure.savefig(path, dpi=110)
 
 
@@ -79,13 +82,14 @@ def draw_strokes(scenes: list[dict[str, Any]], path: Path) -> None:
                 label = title if j == 0 else None
                 axes.scatter([place] * len(times), times, label=label, s=22, alpha=0.8, linewidths=1.2, **dot(title))
         axes.axhline(1000 * FRAME, color="black", linewidth=0.8, linestyle="--")
-        axes.text(-0.45, 1000 * FRAME * 1.07, "one frame at 60 Hz", fontsize=9)
+        axes.text(1.01, 1000 * FRAME, "60 Hz", fontsize=9, va="center", transform=axes.get_yaxis_transform())
         axes.set(yscale="log", title=heading, ylabel="milliseconds, each stroke a dot")
         axes.set_xticks(range(len(scenes)), [scene["scene"] for scene in scenes])
         axes.set_xlim(-0.5, len(scenes) - 0.5)
         finish(axes)
         for j in range(1, len(scenes)):
             axes.axvline(j - 0.5, color="black", linewidth=0.5, alpha=0.3)
+    figure.legend(*grid[0].get_legend_handles_labels(), loc="outside lower center", ncols=4, frameon=False)
     figure.savefig(path, dpi=110)
 
 
@@ -102,12 +106,13 @@ def finish(axes: Axes) -> None:
     axes.grid(True, axis="y", alpha=0.3)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
-    if axes.get_legend_handles_labels()[0]:
-        axes.legend(fontsize=8, frameon=False)
 
 
 def main(file: Path) -> None:
     scenes = [s for s in json.loads(file.read_text(encoding="utf-8"))["scenes"] if s["scene"] in PLAIN]
+    if not scenes:
+        print("No pictures: they are of the meshes that differ in nothing but size.")
+        return
     draw_growth(scenes, file.with_name("time.png"))
     draw_strokes(scenes, file.with_name("strokes.png"))
 

@@ -2,6 +2,7 @@
 """Makes the scenes of the benchmark, once."""
 
 import hashlib
+import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -26,8 +27,11 @@ def prepare(name: str, base: Path, store: Path, peers: Path) -> Path:
     mark = hashlib.sha256(str((base, base.stat().st_size if base.is_file() else 0)).encode())
     for source in (meshes.__file__, __file__):
         mark.update(Path(source).read_bytes())
-    folder = store / f"{name.replace(' ', '-')}-{mark.hexdigest()[:8]}"
+    stem = name.replace(" ", "-")
+    folder = store / f"{stem}-{mark.hexdigest()[:8]}"
     if not folder.is_dir():
+        for outdated in store.glob(f"{stem}-{'?' * 8}"):
+            shutil.rmtree(outdated)
         unfinished = folder.with_name("unfinished")
         save(make(name, meshes.read_base(base)), unfinished)
         subprocess.run([peers, "reference", unfinished, unfinished / "reference.npy", "1", "0"], check=True)
