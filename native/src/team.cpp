@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "team.h"
 
-#include <system_error>
 #include <utility>
 
 namespace dirichlet {
@@ -9,7 +8,7 @@ namespace dirichlet {
 Team::Team(std::size_t threads) {
   try {
     for (std::size_t k = 1; k < threads; ++k) helpers_.emplace_back([this] { help(); });
-  } catch (const std::system_error&) { // those that are there do the work
+  } catch (const std::exception&) { // no thread, or no memory for one: those that are there do the work
   }
 }
 

@@ -25,13 +25,31 @@ void extend_add(const Real* child, std::span<const Index> place, Index w, Index 
   }
 }
 
+template <class Real>
+EliminationTasks cut(const SymbolicFactor& symbolic, std::int64_t most_kept) {
+  return cut_into_tasks(symbolic, most_kept / static_cast<std::int64_t>(sizeof(Real)));
+}
+
+/// See Factor::bytes_needed.
+template <class Real>
+std::int64_t count_bytes(const SymbolicFactor& symbolic, const EliminationTasks& tasks, std::int64_t entries) {
+  const std::int64_t n = symbolic.size(), supernodes = symbolic.supernode_count();
+  const std::int64_t numbers = symbolic.factor_size() + tasks.kept_size + 2 * tasks.stack_size;
+  const std::int64_t of_symbolic = 3 * n + 2 * supernodes + static_cast<std::int64_t>(symbolic.rows.size());
+  const std::int64_t of_matrix = 2 * n + entries, of_factor = 2 * n + static_cast<std::int64_t>(symbolic.rows.size());
+  const std::int64_t of_trees = 3 * supernodes; // children, and the tasks that supernodes belong to
+  return numbers * std::int64_t{sizeof(Real)} +
+         (of_symbolic + of_matrix + of_factor + of_trees) * std::int64_t{sizeof(Index)} +
+         2 * supernodes * std::int64_t{sizeof(std::int64_t)} + entries * std::int64_t{sizeof(double)} +
+         static_cast<std::int64_t>(tasks.tasks.size() * (sizeof(EliminationTasks::Task) + sizeof(double)));
+}
+
 } // namespace
 
 template <class Real>
 Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared_ptr<const OrderedMatrix> matrix,
                      std::int64_t most_kept)
-    : symbolic_(std::move(symbolic)), matrix_(std::move(matrix)),
-      tasks_(cut_into_tasks(*symbolic_, most_kept / static_cast<std::int64_t>(sizeof(Real)))),
+    : symbolic_(std::move(symbolic)), matrix_(std::move(matrix)), tasks_(cut<Real>(*symbolic_, most_kept)),
       kernels_(dense_kernels<Real>(best_instruction_set())),
       panels_(std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(symbolic_->factor_size()))),
       kept_(std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(tasks_.kept_size))) {
@@ -248,11 +266,12 @@ void Factor<Real>::solve(std::span<Real> x, Index k) const {
 
 template <class Real>
 std::int64_t Factor<Real>::bytes() const {
-  const auto real = static_cast<std::int64_t>(sizeof(Real)), index = static_cast<std::int64_t>(sizeof(Index));
-  return (symbolic_->factor_size() + tasks_.kept_size + 2 * tasks_.stack_size) * real +
-         static_cast<std::int64_t>(2 * symbolic_->rows.size() + 8 * at(symbolic_->size()) + matrix_->columns.size()) *
-             index +
-         static_cast<std::int64_t>(matrix_->values.size() * sizeof(double));
+  return count_bytes<Real>(*symbolic_, tasks_, static_cast<std::int64_t>(matrix_->values.size()));
+}
+
+template <class Real>
+std::int64_t Factor<Real>::bytes_needed(const SymbolicFactor& symbolic, std::int64_t entries, std::int64_t most_kept) {
+  return count_bytes<Real>(symbolic, cut<Real>(symbolic, most_kept), entries);
 }
 
 template class Factor<float>;

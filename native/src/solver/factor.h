@@ -42,7 +42,12 @@ class Factor {
   /// L Lᵀ x = b in place; x (n, k) row-major, by position.
   void solve(std::span<Real> x, Index k) const;
 
-  [[nodiscard]] std::int64_t bytes() const; ///< of everything it holds, the matrix included
+  /// What it holds: the factor, kept update matrices, working space, the matrix and the symbolic factor.
+  [[nodiscard]] std::int64_t bytes() const;
+
+  /// The same before anything is allocated; beside it, a solution takes a few numbers per unknown and front.
+  /// \param entries  of the matrix, both triangles
+  static std::int64_t bytes_needed(const SymbolicFactor& symbolic, std::int64_t entries, std::int64_t most_kept);
 
  private:
   /// What a thread needs of its own.
