@@ -8,7 +8,8 @@ namespace dirichlet {
 Team::Team(std::size_t threads) {
   try {
     for (std::size_t k = 1; k < threads; ++k) helpers_.emplace_back([this] { help(); });
-  } catch (const std::exception&) { // no thread, or no memory for one: those that are there do the work
+  } catch (const std::exception&) {
+    return; // no thread, or no memory for one: those that are there do the work
   }
 }
 

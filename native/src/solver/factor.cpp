@@ -36,7 +36,7 @@ std::int64_t count_bytes(const SymbolicFactor& symbolic, const EliminationTasks&
   const std::int64_t n = symbolic.size(), supernodes = symbolic.supernode_count();
   const std::int64_t numbers = symbolic.factor_size() + tasks.kept_size + 2 * tasks.stack_size;
   const std::int64_t of_symbolic = 3 * n + 2 * supernodes + static_cast<std::int64_t>(symbolic.rows.size());
-  const std::int64_t of_matrix = 2 * n + entries, of_factor = 2 * n + static_cast<std::int64_t>(symbolic.rows.size());
+  const std::int64_t of_matrix = 2 * n + entries, of_factor = 2 * n;
   const std::int64_t of_trees = 3 * supernodes; // children, and the tasks that supernodes belong to
   return numbers * std::int64_t{sizeof(Real)} +
          (of_symbolic + of_matrix + of_factor + of_trees) * std::int64_t{sizeof(Index)} +
@@ -55,7 +55,6 @@ Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared
       kept_(std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(tasks_.kept_size))) {
   const SymbolicFactor& f = *symbolic_;
   const Index count = f.supernode_count();
-  relative_.resize(f.rows.size());
   child_offsets_.assign(at(count) + 1, 0);
   for (Workspace& space : spaces_) {
     space.place = std::make_unique_for_overwrite<Index[]>(at(f.size()));
@@ -65,17 +64,7 @@ Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared
   for (Index s = 0; s < count; ++s) {
     const double m = f.width(s) + f.row_count(s);
     work_[at(tasks_.owner[at(s)])] += f.width(s) * m * m;
-    const Index up = f.parent[at(s)];
-    if (up < 0) continue;
-    ++child_offsets_[at(up) + 1];
-    const auto rows = f.rows_of(up);
-    const Index first = f.columns[at(up)], w = f.width(up);
-    Index* place = relative_.data() + f.row_offsets[at(s)];
-    Index below = 0; // both lists ascend
-    for (const Index i : f.rows_of(s)) {
-      while (i >= first + w && rows[at(below)] < i) ++below;
-      *place++ = i < first + w ? i - first : w + below;
-    }
+    if (const Index up = f.parent[at(s)]; up >= 0) ++child_offsets_[at(up) + 1];
   }
   for (Index s = 0; s < count; ++s) child_offsets_[at(s) + 1] += child_offsets_[at(s)];
   children_.resize(at(child_offsets_.back()));
@@ -84,7 +73,7 @@ Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared
     if (const Index up = f.parent[at(s)]; up >= 0) children_[at(next[at(up)]++)] = s;
 }
 
-/// The entries of K, and nothing else.
+/// The entries of K, and nothing else. Notes the place of every row.
 template <class Real>
 void Factor<Real>::fill_panel(Index s, const Mask& fixed, Index* place, Real* panel) const {
   const SymbolicFactor& f = *symbolic_;
@@ -115,9 +104,11 @@ void Factor<Real>::eliminate(Index s, const Mask& fixed, Real* update, std::span
 
   fill_panel(s, fixed, space.place.get(), panel);
   for (std::size_t k = 0; k < child_updates.size(); ++k) {
-    const Index child = children_[at(child_offsets_[at(s)]) + k];
-    extend_add(child_updates[k], {relative_.data() + f.row_offsets[at(child)], at(f.row_count(child))}, w, m, panel,
-               update);
+    const auto rows = f.rows_of(children_[at(child_offsets_[at(s)]) + k]);
+    space.child_place.resize(rows.size());
+    std::transform(rows.begin(), rows.end(), space.child_place.begin(),
+                   [&](Index row) { return space.place[at(row)]; });
+    extend_add(child_updates[k], std::span<const Index>(space.child_place), w, m, panel, update);
   }
 
   constexpr double kWorthSharing = 2e6; // floating-point operations

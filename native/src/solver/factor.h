@@ -54,6 +54,7 @@ class Factor {
   struct Workspace {
     std::unique_ptr<Index[]> place;   ///< (n,) of every row of the front in work: its place there
     std::unique_ptr<Real[]> stack;    ///< update matrices inside a subtree
+    std::vector<Index> child_place;   ///< of the rows of one of its children
     std::vector<const Real*> updates; ///< of the supernodes whose parent is still to come, in their order
     Team* team = nullptr;             ///< that may share a front
   };
@@ -69,7 +70,6 @@ class Factor {
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::shared_ptr<const OrderedMatrix> matrix_;
   EliminationTasks tasks_;
-  std::vector<Index> relative_;      ///< beside symbolic rows: their place in the parent's front
   std::vector<Index> child_offsets_; ///< (S + 1,)
   std::vector<Index> children_;      ///< supernodes, by parent
   std::vector<double> work_;         ///< (tasks,) floating-point operations
