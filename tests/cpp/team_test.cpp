@@ -13,7 +13,7 @@ namespace dirichlet {
 namespace {
 
 TEST(Team, of_any_size_does_every_part_once_as_often_as_it_is_asked) {
-  for (const std::size_t threads : {0, 1, 2, 5}) {
+  for (const std::size_t threads : {0U, 1U, 2U, 5U}) {
     Team team(threads);
     for (Index count = 0; count < 200; ++count) {
       std::vector<std::atomic<int>> calls(static_cast<std::size_t>(count));
@@ -35,7 +35,7 @@ TEST(Team, works_side_by_side) {
 }
 
 TEST(Team, passes_on_the_lowest_exception_and_goes_on_working) {
-  for (const std::size_t threads : {1, 2, 4}) {
+  for (const std::size_t threads : {1U, 2U, 4U}) {
     Team team(threads);
     for (int round = 0; round < 50; ++round) {
       std::atomic<int> seen{0};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "parallel.h"
 #include "solver/elimination_forest.h"
 
 namespace dirichlet {
@@ -146,9 +147,12 @@ std::vector<Index> place_columns(const EliminationForest& forest, const std::vec
 /// Ancestors stay in their order whatever the postorder, so the rows of each supernode stay ascending.
 void place_rows(const EliminationForest& forest, const std::vector<Supernode>& supernodes,
                 const std::vector<Index>& old, const std::vector<Index>& position, SymbolicFactor& factor) {
-  factor.rows.reserve(static_cast<std::size_t>(factor.row_offsets.back()));
-  for (const Index s : old)
-    for (const Index row : forest.rows_of(supernodes[at(s)].top)) factor.rows.push_back(position[at(row)]);
+  factor.rows.resize(static_cast<std::size_t>(factor.row_offsets.back()));
+  parallel_chunks(old.size(), 1 << 12, [&](std::size_t begin, std::size_t end) {
+    Index* to = factor.rows.data() + factor.row_offsets[begin];
+    for (std::size_t s = begin; s < end; ++s)
+      for (const Index row : forest.rows_of(supernodes[at(old[s])].top)) *to++ = position[at(row)];
+  });
 }
 
 } // namespace
