@@ -53,7 +53,7 @@ def titles(scenes: list[dict[str, Any]]) -> list[str]:
 
 def draw_growth(scenes: list[dict[str, Any]], path: Path) -> None:
     """Log-log; the exponent of each curve is in the legend."""
-    figure, grid = plt.subplots(2, 3, figsize=(17, 10.5), constrained_layout=True)
+    figure, grid = plt.subplots(2, 3, figsize=(17, 13), constrained_layout=True)
     for axes, (stage, heading) in zip(grid.ravel(), PANELS.items()):
         for title in titles(scenes):
             if points := curve(scenes, title, stage):
@@ -66,7 +66,7 @@ def draw_growth(scenes: list[dict[str, Any]], path: Path) -> None:
         axes.xaxis.set_minor_locator(NullLocator())
         finish(axes)
         if axes.lines:
-            axes.legend(fontsize=8, frameon=False)
+            axes.legend(fontsize=9, frameon=False, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.12))
     figure.savefig(path, dpi=110)
 
 
