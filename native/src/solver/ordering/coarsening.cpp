@@ -6,7 +6,6 @@
 namespace dirichlet::ordering {
 namespace {
 
-constexpr Index kNone = -1;
 constexpr Index kLargestStar = 16; // a hub with all its neighbours would be a lump that nothing can divide
 
 bool may_be_centre(const Graph& graph, const Index* aggregate, Index v) {
@@ -47,7 +46,7 @@ Index stride(Index size, Index variant) {
 }
 
 /// Pairs every vertex with the free neighbour it shares the heaviest edge with.
-Index match(const CoarseGraph& graph, Index variant, Index* aggregate) {
+Index match(const WeightedGraph& graph, Index variant, Index* aggregate) {
   const Index step = stride(graph.size, variant);
   Index count = 0, v = 0;
   for (Index k = 0; k < graph.size; ++k, v += v < graph.size - step ? step : step - graph.size) {
@@ -64,9 +63,9 @@ Index match(const CoarseGraph& graph, Index variant, Index* aggregate) {
 }
 
 template <class G>
-void list_members(const G& fine, CoarseGraph& coarse) {
-  Index* offsets = coarse.member_offsets.fit(coarse.size + 1);
-  Index* members = coarse.members.fit(fine.size);
+void list_members(const G& fine, const CoarseGraph& coarse, CoarseningScratch& scratch) {
+  Index* offsets = scratch.member_offsets.fit(coarse.size + 1);
+  Index* members = scratch.members.fit(fine.size);
   std::fill_n(offsets, coarse.size + 1, 0);
   for (Index v = 0; v < fine.size; ++v) ++offsets[coarse.aggregate[v]];
   std::partial_sum(offsets, offsets + coarse.size, offsets);
@@ -78,7 +77,9 @@ void list_members(const G& fine, CoarseGraph& coarse) {
 /// loop over edges is the most expensive of all dissection and has no branch that could be mispredicted: edges inside
 /// the aggregate are written, too, to a place beyond all rows.
 template <class G>
-void contract(const G& fine, Index* slot, CoarseGraph& coarse) {
+void contract(const G& fine, CoarseningScratch& scratch, CoarseGraph& coarse) {
+  list_members(fine, coarse, scratch);
+  Index* slot = scratch.slot.fit(coarse.size);
   const Index beyond = fine.offsets[fine.size];
   Index* offsets = coarse.offsets.fit(coarse.size + 1);
   Index* neighbours = coarse.neighbours.fit(beyond + 1);
@@ -92,8 +93,8 @@ void contract(const G& fine, Index* slot, CoarseGraph& coarse) {
     const Index begin = offsets[a] = end;
     weights[a] = 0;
     slot[a] = beyond;
-    for (Index m = coarse.member_offsets[a]; m < coarse.member_offsets[a + 1]; ++m) {
-      const Index v = coarse.members[m];
+    for (Index m = scratch.member_offsets[a]; m < scratch.member_offsets[a + 1]; ++m) {
+      const Index v = scratch.members[m];
       weights[a] += fine.weight(v);
       for (Index e = fine.offsets[v]; e < fine.offsets[v + 1]; ++e) {
         const Index b = aggregate[fine.neighbours[e]];
@@ -112,20 +113,18 @@ void contract(const G& fine, Index* slot, CoarseGraph& coarse) {
 
 } // namespace
 
-void coarsen(const Graph& fine, Scratch<Index>& scratch, CoarseGraph& coarse) {
+void coarsen(const Graph& fine, CoarseningScratch& scratch, CoarseGraph& coarse) {
   Index* aggregate = coarse.aggregate.fit(fine.size);
   std::fill_n(aggregate, fine.size, kNone);
   coarse.size = place_leftovers(fine, aggregate, gather_stars(fine, aggregate));
-  list_members(fine, coarse);
-  contract(fine, scratch.fit(coarse.size), coarse);
+  contract(fine, scratch, coarse);
 }
 
-void coarsen(const CoarseGraph& fine, Index variant, Scratch<Index>& scratch, CoarseGraph& coarse) {
+void coarsen(const WeightedGraph& fine, Index variant, CoarseningScratch& scratch, CoarseGraph& coarse) {
   Index* aggregate = coarse.aggregate.fit(fine.size);
   std::fill_n(aggregate, fine.size, kNone);
   coarse.size = match(fine, variant, aggregate);
-  list_members(fine, coarse);
-  contract(fine, scratch.fit(coarse.size), coarse);
+  contract(fine, scratch, coarse);
 }
 
 } // namespace dirichlet::ordering

@@ -1,156 +1,198 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut_refiner.h"
 
+#include <utility>
+
 namespace dirichlet::ordering {
 namespace {
 
-constexpr Index kNone = GainQueue::kNone;
 constexpr std::size_t kPatience = 20; // moves in vain before a pass gives up, and a quarter of the boundary
 constexpr int kPasses = 6;
 
-Index heaviest_side(const Division& division) {
-  const std::int64_t total = std::int64_t{division.weight[0]} + division.weight[1];
-  return static_cast<Index>(total * 65 / 100);
-}
-
-struct Ties {
-  Index across = 0, inside = 0; ///< weight of the edges to the other side and to the same
-  [[nodiscard]] Index gain() const { return across - inside; }
-};
-
-template <class G>
-Ties ties(const G& graph, const Division& division, Index v) {
-  Ties result;
-  for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e)
-    (division.part[graph.neighbours[e]] == division.part[v] ? result.inside : result.across) += graph.edge_weight(e);
-  return result;
+/// 1 if first <= i < last, 0 if not, without a branch.
+Index within(Index i, Index first, Index last) {
+  return static_cast<Index>(static_cast<std::uint32_t>(i - first) < static_cast<std::uint32_t>(last - first));
 }
 
 } // namespace
 
-void CutRefiner::fit(Index size) {
-  for (GainQueue& queue : queue_) queue.fit(size);
-  gain_.fit(size);
-  locked_.fit_filled(size, 0);
-}
-
-void CutRefiner::grow(const CoarseGraph& graph, Index seed, Division& division) {
-  fit(graph.size);
-  std::fill_n(division.part.fit(graph.size), graph.size, std::uint8_t{kRight});
-  division.weight = {};
-  for (Index v = 0; v < graph.size; ++v) division.weight[kRight] += graph.weight(v);
-  division.cut = 0;
-  begin_pass();
-  enqueue(division, seed, ties(graph, division, seed).gain());
-  for (Index v = seed; v != kNone && division.weight[kLeft] < division.weight[kRight]; v = queue_[kRight].top())
-    move(graph, v, division);
-  end_pass(moved_.size(), division);
-  division.boundary = touched_;
-}
-
-void CutRefiner::refine(const CoarseGraph& graph, Division& division) {
-  refine_any(graph, division);
-}
-void CutRefiner::refine(const Graph& graph, Division& division) {
-  refine_any(graph, division);
-}
-
-template <class G>
-void CutRefiner::refine_any(const G& graph, Division& division) {
-  fit(graph.size);
-  for (int pass = 0; pass < kPasses && improve(graph, division); ++pass) {
-  }
-}
-
 /// One pass: every vertex moves at most once, then what came after the best state is taken back.
 template <class G>
-bool CutRefiner::improve(const G& graph, Division& division) {
-  begin_pass();
-  for (const Index v : division.boundary)
-    if (const Ties own = ties(graph, division, v); own.across > 0) enqueue(division, v, own.gain());
-  const Index heaviest = heaviest_side(division);
-  const double start = division.score();
+class CutRefiner::Pass {
+ public:
+  Pass(CutRefiner& refiner, const G& graph, const Division& division, Regions& regions, VertexSet& boundary)
+      : graph_(graph), division_(division), regions_(regions), boundary_(boundary), notes_(refiner.notes_),
+        queue_(refiner.queue_), moves_(refiner.moves_), weight_{regions.weigh(division.first, division.split),
+                                                                regions.weigh(division.split, division.last)},
+        heaviest_(static_cast<Index>((std::int64_t{weight_[0]} + weight_[1]) * 65 / 100)) {
+    moves_.clear();
+  }
+
+  /// \returns whether the cut became better.
+  bool improve();
+  void grow(Index seed);
+  [[nodiscard]] Index cut() const { return cut_; }
+
+ private:
+  struct Ties {
+    Index across = 0, inside = 0; ///< weight of the edges to the other side and to the same
+    [[nodiscard]] Index gain() const { return across - inside; }
+  };
+
+  [[nodiscard]] Part side(Index v) const { return division_.side(regions_[v]); }
+  [[nodiscard]] double score() const { return division_score(cut_, weight_[kLeft], weight_[kRight]); }
+  [[nodiscard]] Ties ties(Index v, Part side) const;
+  std::size_t enqueue_boundary();
+  void enqueue(Index v, Part side, Index gain);
+  Index choose();
+  void move(Index v);
+  void move_only(Index v, Part from);
+  void end(std::size_t kept);
+
+  const G& graph_;
+  const Division& division_;
+  Regions& regions_;
+  VertexSet& boundary_;
+  VertexNotes& notes_;
+  std::array<GainQueue, 2>& queue_;
+  std::vector<Move>& moves_;
+  std::array<Index, 2> weight_;
+  Index heaviest_; // a side may become
+  Index cut_ = 0;
+};
+
+template <class G>
+auto CutRefiner::Pass<G>::ties(Index v, Part side) const -> Ties {
+  const Division division = division_;
+  Index left = 0, right = 0;
+  for (Index e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
+    const Index region = regions_[graph_.neighbours[e]], weight = graph_.edge_weight(e);
+    left += weight * within(region, division.first, division.split);
+    right += weight * within(region, division.split, division.last);
+  }
+  return side == kLeft ? Ties{right, left} : Ties{left, right};
+}
+
+/// Starts the queues and cut_. \returns how many vertices there are.
+template <class G>
+std::size_t CutRefiner::Pass<G>::enqueue_boundary() {
+  std::size_t count = 0;
+  for (const Index v : boundary_.all()) {
+    const Part side = this->side(v);
+    const Ties own = ties(v, side);
+    if (own.across == 0) continue;
+    enqueue(v, side, own.gain());
+    if (side == kLeft) cut_ += own.across;
+    ++count;
+  }
+  return count;
+}
+
+template <class G>
+bool CutRefiner::Pass<G>::improve() {
+  const std::size_t patience = kPatience + enqueue_boundary() / 4;
+  const double start = score();
   double best = start;
-  auto best_weight = division.weight;
-  Index best_cut = division.cut;
+  Index best_cut = cut_;
   std::size_t kept = 0;
-  const std::size_t patience = kPatience + touched_.size() / 4;
-  while (moved_.size() < kept + patience) {
-    const Index v = choose(graph, division, heaviest);
+  while (moves_.size() < kept + patience) {
+    const Index v = choose();
     if (v == kNone) break;
-    move(graph, v, division);
-    if (const double now = division.score(); now < best) {
+    move(v);
+    if (const double now = score(); now < best) {
       best = now;
-      best_weight = division.weight;
-      best_cut = division.cut;
-      kept = moved_.size();
+      best_cut = cut_;
+      kept = moves_.size();
     }
   }
-  division.weight = best_weight;
-  division.cut = best_cut;
-  end_pass(kept, division);
-  division.boundary.clear();
-  for (const Index v : touched_)
-    if (ties(graph, division, v).across > 0) division.boundary.push_back(v);
+  cut_ = best_cut;
+  end(kept);
   return best < start;
 }
 
-void CutRefiner::begin_pass() {
-  moved_.clear();
-  touched_.clear();
+template <class G>
+void CutRefiner::Pass<G>::grow(Index seed) {
+  enqueue(seed, kRight, ties(seed, kRight).gain());
+  for (Index v = seed; v != kNone && weight_[kLeft] < weight_[kRight]; v = queue_[kRight].top()) move(v);
+  end(moves_.size());
 }
 
-void CutRefiner::enqueue(const Division& division, Index v, Index gain) {
-  gain_[v] = gain;
-  queue_[division.part[v]].insert(v, gain);
-  touched_.push_back(v);
+template <class G>
+void CutRefiner::Pass<G>::enqueue(Index v, Part side, Index gain) {
+  notes_.gain[v] = gain;
+  queue_[side].insert(v, gain);
 }
 
 /// The best vertex to move that does not overload a side; from the heavier side when in doubt.
 template <class G>
-Index CutRefiner::choose(const G& graph, const Division& division, Index heaviest) {
-  const Part heavier = division.weight[kRight] > division.weight[kLeft] ? kRight : kLeft;
-  GainQueue& others = queue_[1 - heavier];
-  const Index load = division.weight[heavier];
+Index CutRefiner::Pass<G>::choose() {
+  const Part heavier = weight_[kRight] > weight_[kLeft] ? kRight : kLeft;
+  GainQueue& others = queue_[opposite(heavier)];
+  const Index load = weight_[heavier];
   const Index v = queue_[heavier].top();
   while (true) {
     const Index u = others.top();
-    if (u == kNone || load > heaviest || (v != kNone && gain_[v] >= gain_[u])) return v;
-    if (load + graph.weight(u) <= heaviest) return u;
+    if (u == kNone || load > heaviest_ || (v != kNone && notes_.gain[v] >= notes_.gain[u])) return v;
+    if (load + graph_.weight(u) <= heaviest_) return u;
     if (v != kNone) return v;
     others.remove(u);
-    locked_[u] = 1;
+    notes_.locked[u] = 1;
   }
 }
 
 template <class G>
-void CutRefiner::move(const G& graph, Index v, Division& division) {
-  const std::uint8_t from = division.part[v], to = 1 - from;
-  queue_[from].remove(v);
-  locked_[v] = 1;
-  moved_.push_back(v);
-  division.part[v] = to;
-  division.weight[from] -= graph.weight(v);
-  division.weight[to] += graph.weight(v);
-  division.cut -= gain_[v];
-  for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
-    const Index u = graph.neighbours[e];
-    if (locked_[u] != 0) continue;
-    const bool left_behind = division.part[u] == from;
-    if (GainQueue& queue = queue_[division.part[u]]; queue.contains(u)) {
-      gain_[u] += (left_behind ? 2 : -2) * graph.edge_weight(e);
-      queue.update(u, gain_[u]);
-    } else if (left_behind) {
-      enqueue(division, u, ties(graph, division, u).gain());
+void CutRefiner::Pass<G>::move(Index v) {
+  const Part from = side(v);
+  move_only(v, from);
+  for (Index e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
+    const Index u = graph_.neighbours[e];
+    const Part side = this->side(u);
+    if (side == kOutside || notes_.locked[u] != 0) continue;
+    if (GainQueue& queue = queue_[side]; queue.contains(u)) {
+      notes_.gain[u] += (side == from ? 2 : -2) * graph_.edge_weight(e);
+      queue.update(u, notes_.gain[u]);
+    } else if (side == from) {
+      boundary_.add(u);
+      enqueue(u, side, ties(u, side).gain());
     }
   }
 }
 
-/// Takes all moves but the first `kept` back. touched_ stays for the caller to look at.
-void CutRefiner::end_pass(std::size_t kept, Division& division) {
-  for (GainQueue& queue : queue_) queue.clear();
-  for (const Index v : touched_) locked_[v] = 0;
-  for (std::size_t k = kept; k < moved_.size(); ++k) division.part[moved_[k]] ^= 1U;
+template <class G>
+void CutRefiner::Pass<G>::move_only(Index v, Part from) {
+  queue_[from].remove(v);
+  notes_.locked[v] = 1;
+  boundary_.add(v);
+  moves_.push_back({v, regions_[v]});
+  regions_.move(v, graph_.weight(v), division_.region_on(opposite(from)));
+  weight_[from] -= graph_.weight(v);
+  weight_[opposite(from)] += graph_.weight(v);
+  cut_ -= notes_.gain[v];
 }
+
+/// Takes all moves but the first `kept` back.
+template <class G>
+void CutRefiner::Pass<G>::end(std::size_t kept) {
+  for (GainQueue& queue : queue_) queue.clear();
+  for (const Index v : boundary_.all()) notes_.locked[v] = 0;
+  for (; moves_.size() > kept; moves_.pop_back())
+    regions_.move(moves_.back().vertex, graph_.weight(moves_.back().vertex), moves_.back().from);
+}
+
+void CutRefiner::grow(const WeightedGraph& graph, Index seed, Regions& regions, VertexSet& boundary) {
+  constexpr Division kHalves{0, 1, 2};
+  Pass(*this, graph, kHalves, regions, boundary).grow(seed);
+}
+
+template <class G>
+Index CutRefiner::refine(const G& graph, const Division& division, Regions& regions, VertexSet& boundary) {
+  for (int k = 1;; ++k) {
+    Pass pass(*this, graph, division, regions, boundary);
+    if (!pass.improve() || k == kPasses) return pass.cut();
+  }
+}
+
+template Index CutRefiner::refine(const Graph&, const Division&, Regions&, VertexSet&);
+template Index CutRefiner::refine(const WeightedGraph&, const Division&, Regions&, VertexSet&);
 
 } // namespace dirichlet::ordering

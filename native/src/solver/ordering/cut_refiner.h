@@ -4,42 +4,39 @@
 #include <array>
 #include <vector>
 
-#include "division.h"
-#include "gain_queue.h"
+#include "regions.h"
+#include "vertex_notes.h"
 
 namespace dirichlet::ordering {
 
 /// Cuts graphs across few edges and improves cuts by moving vertices across, the best first, also for the worse for a
-/// while (Fiduccia & Mattheyses 1982). Holds its arrays for the next graph.
+/// while (Fiduccia & Mattheyses 1982). Looks at nothing but the surroundings of the cut.
 class CutRefiner {
  public:
-  /// Grows the left side from `seed`, always by the vertex that cuts the fewest edges, to half the weight of a
-  /// connected graph.
-  void grow(const CoarseGraph& graph, Index seed, Division& division);
+  explicit CutRefiner(VertexNotes& notes)
+      : notes_(notes), queue_{GainQueue(255, notes.links[0]), GainQueue(255, notes.links[0])} {}
 
-  /// Improves a cut until a pass over its boundary fails to. Leaves exactly the boundary in division.boundary. No side
+  /// Takes vertices from region 1, where all of them are, to region 0, from `seed` on and always the one that cuts the
+  /// fewest edges, until half the weight of a connected graph is there. Adds all ends of cut edges to `boundary`.
+  void grow(const WeightedGraph& graph, Index seed, Regions& regions, VertexSet& boundary);
+
+  /// Improves a cut until a pass over its boundary fails to. Who moves comes to some region of the other side. No side
   /// becomes heavier than 65 % unless it was.
-  void refine(const CoarseGraph& graph, Division& division);
-  void refine(const Graph& graph, Division& division);
+  /// \param boundary holds at least all ends of cut edges; gets all vertices that were near the cut at some time.
+  /// \returns the weight of the edges that are cut.
+  template <class G>
+  Index refine(const G& graph, const Division& division, Regions& regions, VertexSet& boundary);
 
  private:
+  struct Move {
+    Index vertex, from;
+  };
   template <class G>
-  void refine_any(const G& graph, Division& division);
-  template <class G>
-  bool improve(const G& graph, Division& division);
-  void enqueue(const Division& division, Index v, Index gain);
-  template <class G>
-  Index choose(const G& graph, const Division& division, Index heaviest);
-  template <class G>
-  void move(const G& graph, Index v, Division& division);
-  void fit(Index size);
-  void begin_pass();
-  void end_pass(std::size_t kept, Division& division);
+  class Pass;
 
-  std::array<GainQueue, 2> queue_{GainQueue(255), GainQueue(255)}; // of the vertices on each side that may cross
-  Scratch<Index> gain_;                                            // of every vertex in a queue
-  Scratch<std::uint8_t> locked_;                                   // vertices not to move (again) in this pass
-  std::vector<Index> moved_, touched_;                             // in this pass; touched: were in a queue
+  VertexNotes& notes_;
+  std::array<GainQueue, 2> queue_; // of the vertices on each side that may cross
+  std::vector<Move> moves_;        // in this pass
 };
 
 } // namespace dirichlet::ordering

@@ -7,39 +7,45 @@
 
 namespace dirichlet::ordering {
 
+/// Where the vertices of gain queues stand: for each vertex its bucket (kNone if it is in no queue) and its neighbours
+/// there. Queues of different vertices share one such set, also those of different threads.
+struct QueueLinks {
+  Scratch<Index> bucket, next, previous;
+
+  void fit(Index size) {
+    bucket.fit_filled(size, kNone);
+    next.fit(size);
+    previous.fit(size);
+  }
+};
+
 /// Vertices in buckets by gain, the best on top (Fiduccia & Mattheyses 1982): every operation in O(1), but for the
 /// descent of the top. Gains beyond ±range share the outermost buckets.
 class GainQueue {
  public:
-  explicit GainQueue(Index range) : range_(range), first_(static_cast<std::size_t>(2 * range + 1), kNone) {}
+  GainQueue(Index range, QueueLinks& links)
+      : range_(range), first_(static_cast<std::size_t>(2 * range + 1), kNone), links_(&links) {}
 
-  /// Room for vertices 0 … size - 1. The queue must be empty.
-  void fit(Index size) {
-    bucket_.fit_filled(size, kNone);
-    next_.fit(size);
-    previous_.fit(size);
-  }
-
-  [[nodiscard]] bool contains(Index v) const { return bucket_[v] != kNone; }
+  [[nodiscard]] bool contains(Index v) const { return links_->bucket[v] != kNone; }
   /// The gain of a vertex in the queue, as far as the range goes.
-  [[nodiscard]] Index gain(Index v) const { return bucket_[v] - range_; }
+  [[nodiscard]] Index gain(Index v) const { return links_->bucket[v] - range_; }
 
   void insert(Index v, Index gain) {
     const Index bucket = std::clamp(gain, -range_, range_) + range_;
     Index& first = first_[static_cast<std::size_t>(bucket)];
-    bucket_[v] = bucket;
-    previous_[v] = kNone;
-    next_[v] = first;
-    if (first != kNone) previous_[first] = v;
+    links_->bucket[v] = bucket;
+    links_->previous[v] = kNone;
+    links_->next[v] = first;
+    if (first != kNone) links_->previous[first] = v;
     first = v;
     top_ = std::max(top_, bucket);
   }
 
   void remove(Index v) {
-    const Index after = next_[v], before = previous_[v];
-    if (after != kNone) previous_[after] = before;
-    (before != kNone ? next_[before] : first_[static_cast<std::size_t>(bucket_[v])]) = after;
-    bucket_[v] = kNone;
+    const Index after = links_->next[v], before = links_->previous[v];
+    if (after != kNone) links_->previous[after] = before;
+    (before != kNone ? links_->next[before] : first_[static_cast<std::size_t>(links_->bucket[v])]) = after;
+    links_->bucket[v] = kNone;
   }
 
   void update(Index v, Index gain) {
@@ -57,13 +63,11 @@ class GainQueue {
     for (Index v = top(); v != kNone; v = top()) remove(v);
   }
 
-  static constexpr Index kNone = -1;
-
  private:
   Index range_;
   Index top_ = -1;
   std::vector<Index> first_; // of each bucket
-  Scratch<Index> bucket_, next_, previous_;
+  QueueLinks* links_;
 };
 
 } // namespace dirichlet::ordering

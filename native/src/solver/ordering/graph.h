@@ -8,6 +8,8 @@
 
 namespace dirichlet::ordering {
 
+constexpr Index kNone = -1;
+
 /// An array that only ever grows, and whose new elements are not written: thousands of small graphs pass through the
 /// same few arrays without an allocation each.
 template <class T>
@@ -31,6 +33,7 @@ class Scratch {
   }
 
   T* data() { return data_.get(); }
+  [[nodiscard]] const T* data() const { return data_.get(); }
   T& operator[](Index i) { return data_[static_cast<std::size_t>(i)]; }
   const T& operator[](Index i) const { return data_[static_cast<std::size_t>(i)]; }
 
@@ -41,27 +44,35 @@ class Scratch {
 
 /// Rows of neighbours, without the diagonal. Every vertex and every edge weighs 1.
 struct Graph {
-  Index size;
-  const Index* offsets; ///< (size + 1,)
-  const Index* neighbours;
+  Index size = 0;
+  const Index* offsets = nullptr; ///< (size + 1,)
+  const Index* neighbours = nullptr;
 
   [[nodiscard]] static Index weight(Index /*vertex*/) { return 1; }
   [[nodiscard]] static Index edge_weight(Index /*entry*/) { return 1; }
 };
 
-/// A graph whose vertices stand for connected sets of vertices of a finer one, its edges for the edges between them.
-struct CoarseGraph {
+/// The same with weights.
+struct WeightedGraph {
   Index size = 0;
-  Scratch<Index> offsets; ///< (size + 1,)
-  Scratch<Index> neighbours;
-  Scratch<Index> edge_weights;   ///< one for each neighbour
-  Scratch<Index> weights;        ///< (size,)
-  Scratch<Index> aggregate;      ///< (finer size,) the vertex of this graph a finer one belongs to
-  Scratch<Index> member_offsets; ///< (size + 1,)
-  Scratch<Index> members;        ///< (finer size,) the finer vertices of each
+  const Index* offsets = nullptr; ///< (size + 1,)
+  const Index* neighbours = nullptr;
+  const Index* weights = nullptr;      ///< (size,)
+  const Index* edge_weights = nullptr; ///< one for each neighbour
 
   [[nodiscard]] Index weight(Index vertex) const { return weights[vertex]; }
   [[nodiscard]] Index edge_weight(Index entry) const { return edge_weights[entry]; }
+};
+
+/// A graph whose vertices stand for connected sets of vertices of a finer one, its edges for the edges between them.
+struct CoarseGraph {
+  Index size = 0;
+  Scratch<Index> offsets, neighbours, weights, edge_weights;
+  Scratch<Index> aggregate; ///< (finer size,) the vertex of this graph a finer one belongs to
+
+  [[nodiscard]] WeightedGraph graph() const {
+    return {size, offsets.data(), neighbours.data(), weights.data(), edge_weights.data()};
+  }
 };
 
 } // namespace dirichlet::ordering

@@ -4,42 +4,35 @@
 #include <array>
 #include <vector>
 
-#include "division.h"
-#include "gain_queue.h"
+#include "regions.h"
+#include "vertex_notes.h"
 
 namespace dirichlet::ordering {
 
 /// Turns a cut through edges into a set of vertices without which no edge joins left and right, and makes that set
 /// small by moving its vertices to either side, their neighbours on the other side taking their place (Ashcraft & Liu
-/// 1995; Hendrickson & Rothberg 1998). Holds its arrays for the next graph.
+/// 1995; Hendrickson & Rothberg 1998).
 class Separator {
  public:
-  /// \param division of the whole graph in two sides, with exactly their boundary; gets the separator as third part.
-  void separate(const Graph& graph, Division& division);
+  explicit Separator(VertexNotes& notes)
+      : notes_(notes), queue_{GainQueue(31, notes.links[0]), GainQueue(31, notes.links[1])} {}
 
-  [[nodiscard]] Index size(Part part) const { return size_[part]; }
+  /// Puts the separator of a division in region `name`, which is below Division::kUndecided. Who changes sides comes to
+  /// some region there.
+  /// \param boundary holds at least all ends of cut edges; gets all vertices that were near the cut at some time.
+  void separate(const Graph& graph, const Division& division, Index name, Regions& regions, VertexSet& boundary);
 
  private:
+  class Search;
   struct Change {
-    Index vertex;
-    Part before;
+    Index vertex, before; ///< the region it was in
   };
 
-  void cover_cut(Division& division);
-  bool improve(const Graph& graph, std::uint8_t* part);
-  void enqueue(const Graph& graph, const std::uint8_t* part, Index v);
-  bool choose(Index& v, Part& to);
-  void move(const Graph& graph, Index v, Part to, std::uint8_t* part);
-  void relabel(const Graph& graph, Index v, Part to, std::uint8_t* part);
-  void end_pass(std::size_t kept, std::uint8_t* part);
-  [[nodiscard]] double score() const { return division_score(size_[kSeparator], size_[kLeft], size_[kRight]); }
-
-  std::array<Index, 3> size_{};
-  Index largest_ = 0;                                            // a side that is not to grow beyond it
-  std::array<GainQueue, 2> queue_{GainQueue(31), GainQueue(31)}; // separator vertices, by the side they may move to
-  Scratch<std::uint8_t> locked_;                                 // vertices that have left the separator in this pass
-  std::vector<Change> changes_;                                  // in this pass
-  std::vector<Index> separator_, touched_;                       // touched: were in the separator in this pass
+  VertexNotes& notes_;
+  std::array<GainQueue, 2> queue_;         // separator vertices, by the side they may move to
+  std::vector<Change> changes_;            // in this pass
+  std::vector<Index> separator_, touched_; // touched: were in the separator in this pass
+  std::array<std::vector<Index>, 2> ends_; // of cut edges
 };
 
 } // namespace dirichlet::ordering
