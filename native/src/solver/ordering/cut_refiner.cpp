@@ -6,7 +6,8 @@
 namespace dirichlet::ordering {
 namespace {
 
-constexpr std::size_t kPatience = 20; // moves in vain before a pass gives up, and a quarter of the boundary
+// Moves in vain before a pass gives up, and a quarter of the boundary.
+constexpr std::size_t kPatience = 20;
 constexpr int kPasses = 6;
 
 /// 1 if first <= i < last, 0 if not, without a branch.
@@ -142,18 +143,20 @@ Index CutRefiner::Pass<G>::choose() {
 
 template <class G>
 void CutRefiner::Pass<G>::move(Index v) {
-  const Part from = side(v);
+  const Part from = side(v), to = opposite(from);
   move_only(v, from);
+  const Division d = division_;
+  const auto [first, last] = from == kLeft ? std::pair(d.first, d.split) : std::pair(d.split, d.last);
   for (Index e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
-    const Index u = graph_.neighbours[e];
-    const Part side = this->side(u);
-    if (side == kOutside || notes_.locked[u] != 0) continue;
-    if (GainQueue& queue = queue_[side]; queue.contains(u)) {
-      notes_.gain[u] += (side == from ? 2 : -2) * graph_.edge_weight(e);
-      queue.update(u, notes_.gain[u]);
-    } else if (side == from) {
+    const Index u = graph_.neighbours[e], region = regions_[u];
+    if (within(region, d.first, d.last) == 0 || notes_.locked[u] != 0) continue;
+    const Index left_behind = within(region, first, last);
+    if (notes_.links[0].bucket[u] != kNone) {
+      notes_.gain[u] += (4 * left_behind - 2) * graph_.edge_weight(e);
+      queue_[left_behind != 0 ? from : to].update(u, notes_.gain[u]);
+    } else if (left_behind != 0) {
       boundary_.add(u);
-      enqueue(u, side, ties(u, side).gain());
+      enqueue(u, from, ties(u, from).gain());
     }
   }
 }
@@ -173,7 +176,8 @@ void CutRefiner::Pass<G>::move_only(Index v, Part from) {
 /// Takes all moves but the first `kept` back.
 template <class G>
 void CutRefiner::Pass<G>::end(std::size_t kept) {
-  for (GainQueue& queue : queue_) queue.clear();
+  for (GainQueue& queue : queue_) queue.drop(boundary_.all());
+  notes_.links[0].clear(boundary_.all());
   for (const Index v : boundary_.all()) notes_.locked[v] = 0;
   for (; moves_.size() > kept; moves_.pop_back())
     regions_.move(moves_.back().vertex, graph_.weight(moves_.back().vertex), moves_.back().from);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "graph.h"
@@ -16,6 +17,9 @@ struct QueueLinks {
     bucket.fit_filled(size, kNone);
     next.fit(size);
     previous.fit(size);
+  }
+  void clear(std::span<const Index> vertices) {
+    for (const Index v : vertices) bucket[v] = kNone;
   }
 };
 
@@ -59,8 +63,11 @@ class GainQueue {
     return top_ < 0 ? kNone : first_[static_cast<std::size_t>(top_)];
   }
 
-  void clear() {
-    for (Index v = top(); v != kNone; v = top()) remove(v);
+  /// Empties the queue, except for its links. \param vertices among which are all that it holds.
+  void drop(std::span<const Index> vertices) {
+    for (const Index v : vertices)
+      if (contains(v)) first_[static_cast<std::size_t>(links_->bucket[v])] = kNone;
+    top_ = -1;
   }
 
  private:

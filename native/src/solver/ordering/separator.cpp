@@ -6,7 +6,7 @@
 namespace dirichlet::ordering {
 namespace {
 
-constexpr std::size_t kPatience = 30; // moves in vain before a pass gives up, and a quarter of the separator
+constexpr std::size_t kPatience = 10; // moves in vain before a pass gives up, and a quarter of the separator
 constexpr int kPasses = 10;
 
 } // namespace
@@ -139,7 +139,8 @@ void Separator::Search::relabel(Index v, Part before, Part after, Index region) 
 
 /// Takes all changes but the first `kept` back and lists what is in the separator then, once each.
 void Separator::Search::end_pass(std::size_t kept) {
-  for (GainQueue& queue : own_.queue_) queue.clear();
+  for (GainQueue& queue : own_.queue_) queue.drop(own_.touched_);
+  for (QueueLinks& links : own_.notes_.links) links.clear(own_.touched_);
   auto& locked = own_.notes_.locked;
   auto& changes = own_.changes_;
   for (const Change& change : changes) locked[change.vertex] = 0;

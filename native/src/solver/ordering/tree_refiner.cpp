@@ -25,7 +25,9 @@ void TreeRefiner<G>::refine(unsigned threads) {
   if (tree_.root() == kNone) return;
   for (Index v = 0; v < graph_.size; ++v) hand_to(0, tree_.size() + 1, v);
   Workspace workspace(notes_);
-  refine_from(tree_.root(), threads > 1 ? static_cast<unsigned>(std::bit_width(threads)) : 0, workspace);
+  // Branches differ in size: eight for each thread even that out.
+  const auto forks = threads > 1 ? static_cast<unsigned>(std::bit_width(threads)) + 2 : 0U;
+  refine_from(tree_.root(), forks, workspace);
 }
 
 /// Lists v for the highest division that it is near to, among those of regions first … last - 1, its own among them.
