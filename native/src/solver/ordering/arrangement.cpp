@@ -10,7 +10,7 @@
 namespace dirichlet::ordering {
 namespace {
 
-constexpr Index kRegionsAtOnce = 32;
+constexpr std::size_t kRegionsAtOnce = 32;
 
 /// Where regions and separators begin in the order.
 struct Layout {
@@ -62,11 +62,12 @@ std::vector<Index> arrange(const Graph& graph, const RegionTree& tree, const Reg
   const auto order_region = [&](std::size_t r) {
     const Index first = begin.region[r], last = end.region[r];
     const std::vector<Index> vertices(order.begin() + first, order.begin() + last);
-    (last - first <= kLargestLeaf ? order_leaf : order_large)(graph, vertices, place.data(), first, &order[0] + first);
+    (last - first <= kLargestLeaf ? order_leaf : order_large)(graph, vertices, place.data(), first,
+                                                              order.data() + first);
   };
   const auto shares = static_cast<Index>((count + kRegionsAtOnce - 1) / kRegionsAtOnce);
   share_out(shares, threads, [&](Index share, unsigned /*worker*/) {
-    const auto first = static_cast<std::size_t>(share * kRegionsAtOnce);
+    const auto first = static_cast<std::size_t>(share) * kRegionsAtOnce;
     for (std::size_t r = first; r < std::min(count, first + kRegionsAtOnce); ++r) order_region(r);
   });
   return order;

@@ -52,8 +52,10 @@ void Bisection::search(const WeightedGraph& graph, Index start) {
   };
   found_.clear();
   visit(start);
-  for (std::size_t head = 0; head < found_.size(); ++head)
-    for (Index e = graph.offsets[found_[head]]; e < graph.offsets[found_[head] + 1]; ++e) visit(graph.neighbours[e]);
+  for (std::size_t head = 0; head < found_.size(); ++head) { // NOLINT(modernize-loop-convert): found_ grows
+    const Index v = found_[head];
+    for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) visit(graph.neighbours[e]);
+  }
 }
 
 void Bisection::search_anew(const WeightedGraph& graph, Index start) {
