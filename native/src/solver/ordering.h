@@ -16,7 +16,7 @@ namespace dirichlet {
 /// diagonal are skipped, and rows need not be sorted. order[k] is the vertex eliminated k-th. The result depends on the
 /// graph alone, not on the number of threads, of which there are at most about `threads`.
 ///
-/// Cost: for meshes O(n) time but for what is near to divisions, about twice the memory of the graph.
+/// Cost: for meshes O(n) time but for what is near to divisions, about three times the memory of the graph.
 std::vector<Index> fill_reducing_order(std::span<const Index> offsets, std::span<const Index> neighbours,
                                        unsigned threads = std::thread::hardware_concurrency());
 
