@@ -6,6 +6,7 @@ Into the output folder go report.md, report.json and the pictures.
 
 import argparse
 import json
+import re
 import subprocess
 import sys
 from dataclasses import asdict, replace
@@ -18,6 +19,7 @@ from .scene import load
 from .scene_maker import prepare
 
 DRAGON = ROOT.parent / "shared/meshes/derived__dragon_28k.obj"
+SCENE = re.compile("[1-9][0-9]*[kM]( shuffled| tube| pieces)?")
 ODD = ("125k shuffled", "125k tube", "125k pieces")
 QUICK = ("14k", "125k")
 USUAL = ("14k", *ODD, "125k", "1M")
@@ -40,6 +42,9 @@ def parse(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--output", type=Path, default=ROOT / "build/bench/report", metavar="FOLDER")
     options = parser.parse_args(words)
     options.names = options.scenes or (QUICK if options.quick else FULL if options.full else USUAL)
+    for name in options.names:
+        if not SCENE.fullmatch(name):
+            parser.error(f"no scene {name!r}: a size such as 14k or 2M, then nothing or shuffled, tube or pieces")
     usual = Effort(5, 0.5, 20.0) if options.quick else Effort(7, 10.0, 600.0)
     asked = {name: getattr(options, name) for name in ("runs", "seconds", "limit")}
     options.effort = replace(usual, **{name: value for name, value in asked.items() if value is not None})
