@@ -240,7 +240,7 @@ template <class Real>
 void Factor<Real>::solve(std::span<Real> x, Index k) const {
   const SymbolicFactor& f = *symbolic_;
   const Index shared_begin = f.columns[at(f.group[2])];
-  constexpr std::int64_t kWorthSecond = 1 << 17; // numbers; fewer are read before a second thread has started
+  constexpr std::int64_t kWorthSecond = 1 << 19; // numbers; fewer are read before a second thread has started
   Team team(f.factor_size() * k < kWorthSecond ? 1 : std::min<std::size_t>(2, core_count()));
   const std::size_t shared_size = at(f.size() - shared_begin) * at(k);
   std::array<std::vector<Real>, 2> shared; // each half's part; added in this order, whoever is first

@@ -13,7 +13,7 @@ void prefetch([[maybe_unused]] const void* address) {
 #endif
 }
 
-constexpr std::size_t kRowsWorthThread = 1 << 12;
+constexpr std::size_t kRowsWorthThread = 1 << 13;
 
 std::vector<Index> row_offsets(const Graph& graph, std::span<const Index> order) {
   std::vector<Index> offsets(order.size() + 1, 0);

@@ -148,7 +148,7 @@ std::vector<Index> place_columns(const EliminationForest& forest, const std::vec
 void place_rows(const EliminationForest& forest, const std::vector<Supernode>& supernodes,
                 const std::vector<Index>& old, const std::vector<Index>& position, SymbolicFactor& factor) {
   factor.rows.resize(static_cast<std::size_t>(factor.row_offsets.back()));
-  parallel_chunks(old.size(), 1 << 12, [&](std::size_t begin, std::size_t end) {
+  parallel_chunks(old.size(), 1 << 13, [&](std::size_t begin, std::size_t end) {
     Index* to = factor.rows.data() + factor.row_offsets[begin];
     for (std::size_t s = begin; s < end; ++s)
       for (const Index row : forest.rows_of(supernodes[at(old[s])].top)) *to++ = position[at(row)];
