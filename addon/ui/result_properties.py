@@ -24,7 +24,7 @@ class DirichletResults(bpy.types.PropertyGroup):
         name="Connectivity", description="Milliseconds to check the mesh and find which vertices and faces touch"
     )
     solver_ms: FloatProperty(
-        name="Solver", description="Milliseconds for Laplacian, injection, factorisation and solve together"
+        name="Solver", description="Milliseconds for Laplacian, analysis, injection, factorisation and solve together"
     )
     field_warnings: StringProperty(name="Field Warnings", description="Warnings of the last solve, one a line")
     extracted: BoolProperty(name="Extracted", description="Make Isolines has run on the field solved last")

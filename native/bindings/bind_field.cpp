@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
 #include <optional>
+#include <string>
 
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
@@ -11,12 +14,25 @@
 namespace dirichlet::bindings {
 namespace {
 
+// Python's names of the enumerators, in their order.
+constexpr std::array kMethods{"auto", "direct", "multigrid", "lscg"};
+constexpr std::array kPrecisions{"float64", "float32"};
+constexpr std::array kUpdates{"nothing", "values", "partial", "full"};
+
+/// The enumerator of a name, which the Python side has checked.
+template <class Enum, std::size_t kCount>
+Enum named(const std::array<const char*, kCount>& names, const std::string& name) {
+  return static_cast<Enum>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
 py::dict to_dict(const SolveReport& report) {
   using namespace py::literals;
   const py::dict seconds("connectivity"_a = report.connectivity_seconds, "laplacian"_a = report.laplacian_seconds,
-                         "injection"_a = report.injection_seconds, "factorisation"_a = report.factor_seconds,
-                         "solve"_a = report.solve_seconds);
-  return py::dict("vertices"_a = report.vertices, "painted"_a = report.painted, "unknowns"_a = report.unknowns,
+                         "analysis"_a = report.analysis_seconds, "injection"_a = report.injection_seconds,
+                         "factorisation"_a = report.factor_seconds, "solve"_a = report.solve_seconds);
+  return py::dict("method"_a = kMethods.at(static_cast<std::size_t>(report.method)),
+                  "update"_a = kUpdates.at(static_cast<std::size_t>(report.update)), "repeated"_a = report.repeated,
+                  "vertices"_a = report.vertices, "painted"_a = report.painted, "unknowns"_a = report.unknowns,
                   "nonzeros"_a = report.nonzeros, "factor_nonzeros"_a = report.factor_nonzeros,
                   "iterations"_a = report.iterations, "relative_residual"_a = report.relative_residual,
                   "minimum"_a = report.minimum, "maximum"_a = report.maximum,
@@ -26,27 +42,40 @@ py::dict to_dict(const SolveReport& report) {
                   "warnings"_a = py::tuple(py::cast(report.warnings)));
 }
 
-std::unique_ptr<HarmonicSolver> make(const Mesh& mesh, const Array<Index>& painted, bool direct,
-                                     std::optional<double> tolerance, std::optional<Index> max_iterations) {
-  SolverOptions options;
-  options.method = direct ? Method::direct : Method::least_squares_cg;
-  options.tolerance = tolerance.value_or(options.tolerance);
-  options.max_iterations = max_iterations;
-  const auto vertices = view(painted);
+std::unique_ptr<HarmonicSolver> make(const Mesh& mesh, const std::optional<Array<Index>>& painted,
+                                     const std::string& method, const std::string& precision,
+                                     std::optional<std::int64_t> memory_budget, std::optional<double> tolerance,
+                                     std::optional<Index> max_iterations) {
+  const SolverOptions options{named<Method>(kMethods, method), named<Precision>(kPrecisions, precision), memory_budget,
+                              tolerance, max_iterations};
+  const auto vertices = painted ? view(*painted) : std::span<const Index>{};
   const py::gil_scoped_release release;
+  if (!painted) return std::make_unique<HarmonicSolver>(mesh, options);
   return std::make_unique<HarmonicSolver>(mesh, vertices, options);
 }
 
-/// (C, k) → (V, k) in columns, and the report.
-py::tuple solve(const HarmonicSolver& solver, const Eigen::Ref<const Eigen::MatrixXd>& values,
-                const std::optional<Array<double>>& source) {
+using Values = Eigen::Ref<const Eigen::MatrixXd>;
+
+/// (V, k) in columns, and the report.
+template <class Solve>
+py::tuple solved(const std::optional<Array<double>>& source, const Solve& solve) {
   const auto numbers = source ? view(*source) : std::span<const double>{};
   Field field;
   {
     const py::gil_scoped_release release;
-    field = solver.solve(values, numbers);
+    field = solve(numbers);
   }
   return py::make_tuple(std::move(field.values), to_dict(field.report));
+}
+
+py::tuple paint(HarmonicSolver& solver, const Array<Index>& painted, const Values& values,
+                const std::optional<Array<double>>& source) {
+  const auto vertices = view(painted);
+  return solved(source, [&](std::span<const double> numbers) { return solver.paint(vertices, values, numbers); });
+}
+
+py::tuple solve(const HarmonicSolver& solver, const Values& values, const std::optional<Array<double>>& source) {
+  return solved(source, [&](std::span<const double> numbers) { return solver.solve(values, numbers); });
 }
 
 py::tuple matrix(const Mesh& mesh, const Array<Index>& painted) {
@@ -67,8 +96,9 @@ py::tuple matrix(const Mesh& mesh, const Array<Index>& painted) {
 
 void bind_field(py::module_& module) {
   py::class_<HarmonicSolver>(module, "HarmonicSolver")
-      .def(py::init(&make), py::arg("mesh"), py::arg("vertices").noconvert(), py::arg("direct"), py::arg("tolerance"),
-           py::arg("max_iterations"))
+      .def(py::init(&make), py::arg("mesh"), py::arg("vertices").noconvert(), py::arg("method"), py::arg("precision"),
+           py::arg("memory_budget"), py::arg("tolerance"), py::arg("max_iterations"))
+      .def("paint", &paint, py::arg("vertices").noconvert(), py::arg("values"), py::arg("source"))
       .def("solve", &solve, py::arg("values"), py::arg("source"));
   module.def("dirichlet_laplacian", &matrix, py::arg("mesh"), py::arg("vertices").noconvert());
 }

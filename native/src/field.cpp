@@ -3,221 +3,260 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <mutex>
 
 #include "dirichlet/error.h"
+#include "fixed_rows.h"
 #include "for_row.h"
+#include "index.h"
+#include "maximum_principle.h"
+#include "memory.h"
 #include "message.h"
+#include "painting_checks.h"
+#include "parallel.h"
 #include "stopwatch.h"
+#include "twin.h"
 
 namespace dirichlet {
 namespace {
 
-using Column = Eigen::Ref<Eigen::VectorXd>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
-/// 1 at every painted vertex.
-Mask paint(Index vertex_count, std::span<const Index> painted) {
-  if (painted.empty()) throw InputError("no vertex is painted, so the field has no values to start from");
-  const auto bad = [=](Index v) { return v < 0 || v >= vertex_count; };
-  const auto first = std::find_if(painted.begin(), painted.end(), bad);
-  if (first != painted.end())
-    throw InputError(message("painted vertex ", *first, " (at place ", first - painted.begin(),
-                             ") is not one of the vertices 0 to ", vertex_count - 1,
-                             and_more(std::count_if(first, painted.end(), bad) - 1, "place")));
-  Mask mask(at(vertex_count), 0);
-  for (const Index v : painted) mask[at(v)] = 1;
-  return mask;
-}
-
-std::vector<std::array<Index, 2>> find_repeats(std::span<const Index> painted, Index painted_count, Index n) {
-  std::vector<std::array<Index, 2>> repeats;
-  if (painted_count == static_cast<Index>(painted.size())) return repeats;
-  std::vector<Index> first(at(n), -1);
-  for (Index c = 0; c < static_cast<Index>(painted.size()); ++c) {
-    Index& place = first[at(painted[at(c)])];
-    if (place < 0)
-      place = c;
-    else
-      repeats.push_back({c, place});
-  }
-  return repeats;
-}
-
-template <class Numbers>
-void check_finite(const Numbers& numbers, const char* what, const char* where) {
-  const auto bad = [](double x) { return !std::isfinite(x); };
-  const auto first = std::find_if(numbers.begin(), numbers.end(), bad);
-  if (first != numbers.end())
-    throw InputError(message(what, " at ", where, ' ', first - numbers.begin(), " is ", *first,
-                             and_more(std::count_if(first, numbers.end(), bad) - 1, where)));
-}
-
-/// The power of two that brings the largest number of a column to [1/2, 1), so that no sum can overflow; exact to undo.
-int scale_of(const Column& column) {
+/// The power of two that numbers are divided by so that no sum can overflow or lose digits to underflow; it takes no
+/// digit from any of them. 0 for ordinary numbers.
+int scale_of(const Eigen::Ref<const Eigen::VectorXd>& values, std::span<const double> source) {
   int exponent = 0;
-  std::frexp(column.cwiseAbs().maxCoeff(), &exponent);
-  return exponent;
+  double largest = values.cwiseAbs().maxCoeff();
+  for (const double s : source) largest = std::max(largest, std::abs(s));
+  std::frexp(largest, &exponent);
+  return std::abs(exponent) > 256 ? exponent : 0;
 }
 
-void scale(Column column, int exponent) {
-  for (double& x : column) x = std::ldexp(x, exponent);
+double scaled(double x, int exponent) {
+  return exponent == 0 ? x : std::ldexp(x, exponent);
 }
 
-/// ‖rhs − Kφ‖ / ‖rhs‖ over the rows that have an equation; rhs is what the known vertices and the source contribute.
-double relative_residual(const SparseMatrix& K, const Mask& fixed, const Eigen::VectorXd& prescribed,
-                         const Eigen::VectorXd& x) {
-  double residual = 0, norm = 0;
-  for (Index i = 0; i < K.rows(); ++i) {
-    if (fixed[at(i)] != 0) continue;
-    double rhs = prescribed[i], product = 0;
-    for_row(K, i, [&](Index j, double k) {
-      if (fixed[at(j)] != 0)
-        rhs -= k * prescribed[j];
-      else
-        product += k * x[j];
-    });
-    residual += (rhs - product) * (rhs - product);
-    norm += rhs * rhs;
-  }
-  return norm > 0 ? std::sqrt(residual / norm) : std::sqrt(residual);
+double diagonal(const SparseView& K, Index row) {
+  double mass = 0;
+  for_row(K, row, [&](Index j, double k) { mass = j == row ? k : mass; });
+  return mass;
 }
 
-/// The maximum principle, region by region: no value leaves the range painted at the rim. Rounding may, by an ulp, and
-/// an isoline at exactly that value would be noise.
-void project(const FreeRegions& regions, Column values, SolveReport& report) {
-  std::vector<std::array<double, 2>> range(at(regions.count), {kInfinity, -kInfinity});
-  for (const auto& [region, vertex] : regions.rim) {
-    auto& [low, high] = range[at(region)];
-    low = std::min(low, values[vertex]);
-    high = std::max(high, values[vertex]);
-  }
-  for (Index i = 0; i < values.size(); ++i) {
-    const Index region = regions.label[at(i)];
-    if (region == FreeRegions::kPainted) continue;
-    const auto& [low, high] = range[at(region)];
-    if (low > high) continue; // no paint, no range
-    const double inside = std::clamp(values[i], low, high);
-    if (inside == values[i]) continue;
-    ++report.outside;
-    report.farthest_outside = std::max(report.farthest_outside, std::abs(values[i] - inside));
-    values[i] = inside;
-  }
+/// Bit for bit: -0 is not 0.
+bool same(std::span<const double> a, std::span<const double> b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
 
-/// Takes one finished column, still without its NaN, into the report.
-void report_column(const Eigen::VectorXd& values, const FreeRegions& regions, const Mask& fixed, SolveReport& report) {
-  for (Index i = 0; i < values.size(); ++i) {
-    if (fixed[at(i)] != 0 && regions.label[at(i)] != FreeRegions::kPainted) continue; // undefined
-    report.minimum = std::min(report.minimum, values[i]);
-    report.maximum = std::max(report.maximum, values[i]);
-  }
+bool same(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::MatrixXd& b) {
+  if (a.rows() != b.rows() || a.cols() != b.cols()) return false;
+  const auto column = [rows = at(static_cast<Index>(a.rows()))](const auto& matrix, Eigen::Index k) {
+    return std::span<const double>(matrix.col(k).data(), rows);
+  };
+  for (Eigen::Index k = 0; k < a.cols(); ++k)
+    if (!same(column(a, k), column(b, k))) return false;
+  return true;
 }
 
 } // namespace
 
-HarmonicSolver::HarmonicSolver(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options)
-    : painted_(painted.begin(), painted.end()), fixed_(paint(mesh.vertex_count(), painted)) {
+HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options) {
   base_.vertices = mesh.vertex_count();
-  base_.painted = static_cast<Index>(std::count(fixed_.begin(), fixed_.end(), 1));
   base_.connectivity_seconds = mesh.build_seconds();
-  repeats_ = find_repeats(painted_, base_.painted, base_.vertices);
-
-  Stopwatch watch;
-  stiffness_ = graph_stiffness(mesh);
-  base_.laplacian_seconds = watch.restart();
-
-  regions_ = free_regions(stiffness_, fixed_);
-  std::vector<std::uint8_t> ruled(at(regions_.count), 0);
-  for (const auto& [region, vertex] : regions_.rim) ruled[at(region)] = 1;
-  for (Index i = 0; i < base_.vertices; ++i) {
-    const Index region = regions_.label[at(i)];
-    if (region == FreeRegions::kPainted || ruled[at(region)] != 0) continue;
-    fixed_[at(i)] = 1; // singular otherwise; its value becomes NaN
-    if (base_.undefined++ == 0) base_.first_undefined = i;
-  }
-  const double regions_seconds = watch.seconds();
-
-  solver_ = make_solver(stiffness_, fixed_, options);
+  with_memory(base_.vertices, [&] {
+    const Stopwatch watch;
+    SparseMatrix K = graph_stiffness(mesh);
+    base_.laplacian_seconds = watch.seconds();
+    solver_ = make_solver(std::move(K), options);
+    const std::span<const Index> order = solver_->order();
+    position_.resize(order.size());
+    for (std::size_t row = 0; row < order.size(); ++row) position_[at(order[row])] = static_cast<Index>(row);
+    rows_ = std::make_unique<FixedRows>(solver_->matrix());
+  });
   const SolverStatistics& statistics = solver_->statistics();
-  base_.unknowns = statistics.unknowns;
+  base_.method = statistics.method;
   base_.nonzeros = statistics.nonzeros;
   base_.factor_nonzeros = statistics.factor_nonzeros;
-  base_.injection_seconds = regions_seconds + statistics.inject_seconds;
-  base_.factor_seconds = statistics.factor_seconds;
-  if (base_.undefined > 0)
-    base_.warnings.push_back(message(base_.undefined, base_.undefined == 1 ? " vertex lies" : " vertices lie",
-                                     " on pieces without paint and has no value; the first is vertex ",
-                                     base_.first_undefined));
+  base_.analysis_seconds = statistics.analysis_seconds;
 }
 
-Eigen::MatrixXd HarmonicSolver::prescribe(const Eigen::Ref<const Eigen::MatrixXd>& values,
-                                          std::span<const double> source) const {
-  if (values.cols() < 1) throw InputError("no column of values was given");
-  if (values.rows() != painted_count())
-    throw InputError(message(values.rows(), " values were given for ", painted_count(), " painted vertices"));
-  for (Eigen::Index column = 0; column < values.cols(); ++column)
-    check_finite(std::span(values.col(column).data(), painted_.size()), "the painted value", "place");
-  for (const auto& [again, first] : repeats_)
-    if (values.row(again) != values.row(first))
-      throw InputError(message("vertex ", painted_[at(again)], " is painted with ", values(first, 0), " (at place ",
-                               first, ") and with ", values(again, 0), " (at place ", again, ")"));
-  if (!source.empty() && source.size() != at(vertex_count()))
-    throw InputError(message("a source of ", source.size(), " numbers does not fit ", vertex_count(), " vertices"));
-  check_finite(source, "the source", "vertex");
+HarmonicSolver::HarmonicSolver(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options)
+    : HarmonicSolver(mesh, options) {
+  with_memory(base_.vertices, [&] {
+    check_painted(base_.vertices, painted);
+    repeats_ = find_repeats(base_.vertices, painted);
+    repaint(painted);
+  });
+}
 
-  Eigen::MatrixXd prescribed = Eigen::MatrixXd::Zero(vertex_count(), values.cols());
-  if (!source.empty()) {
-    const Eigen::VectorXd mass = stiffness_.diagonal();
-    for (Index i = 0; i < vertex_count(); ++i)
-      if (fixed_[at(i)] == 0) prescribed.row(i).setConstant(mass[i] * source[at(i)]);
+HarmonicSolver::~HarmonicSolver() = default;
+
+/// Brings mask, factor and regions up to a painting that was checked.
+void HarmonicSolver::repaint(std::span<const Index> painted) {
+  Stopwatch watch;
+  std::vector<Index> rows(painted.size());
+  for (std::size_t c = 0; c < rows.size(); ++c) rows[c] = position_[at(painted[c])];
+  painted_.clear(); // until all is done: a failure leaves nothing painted
+  rows_->paint(rows);
+  base_.injection_seconds = watch.restart();
+  base_.repeated = solver_->inject(rows_->fixed());
+  base_.factor_seconds = watch.restart();
+  base_.update = base_.repeated == 0 ? Update::values : base_.repeated < 1 ? Update::partial : Update::full;
+  if (base_.update != Update::values || regions_.label.empty()) {
+    regions_ = {};
+    regions_ = free_regions(solver_->matrix(), rows_->fixed());
   }
-  for (Index c = 0; c < painted_count(); ++c) prescribed.row(painted_[at(c)]) = values.row(c);
-  return prescribed;
+  base_.injection_seconds += watch.seconds();
+  painted_.assign(painted.begin(), painted.end());
+  report_painting();
+}
+
+void HarmonicSolver::report_painting() {
+  base_.painted = rows_->painted_count();
+  base_.undefined = rows_->undefined_count();
+  base_.unknowns = rows_->free_count();
+  base_.first_undefined = -1;
+  base_.warnings.clear();
+  if (base_.undefined == 0) return;
+  while (!rows_->is_undefined(position_[at(++base_.first_undefined)])) {
+  }
+  base_.warnings.push_back(
+      message(base_.undefined, base_.undefined == 1 ? " vertex lies on a piece" : " vertices lie on pieces",
+              " without paint, where the field has no value; the first is vertex ", base_.first_undefined));
+}
+
+Field HarmonicSolver::paint(std::span<const Index> painted, const Eigen::Ref<const Eigen::MatrixXd>& values,
+                            std::span<const double> source) {
+  const std::unique_lock lock(mutex_);
+  return with_memory(base_.vertices, [&] {
+    check_painted(base_.vertices, painted);
+    auto repeats = find_repeats(base_.vertices, painted);
+    check_values(painted, repeats, values);
+    check_source(base_.vertices, source);
+    if (std::ranges::equal(painted, painted_) && same(source, source_) && same(values, values_)) return unchanged();
+    repeats_ = std::move(repeats);
+    repaint(painted);
+    values_.resize(0, 0); // until it is solved
+    last_ = compute(values, source, last_.values);
+    values_ = values;
+    source_.assign(source.begin(), source.end());
+    return last_;
+  });
+}
+
+Field HarmonicSolver::unchanged() {
+  SolveReport& report = last_.report;
+  report.update = Update::nothing;
+  report.repeated = report.injection_seconds = report.factor_seconds = report.solve_seconds = 0;
+  return last_;
 }
 
 Field HarmonicSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& values, std::span<const double> source) const {
+  const std::shared_lock lock(mutex_);
+  return with_memory(base_.vertices, [&] {
+    if (painted_.empty()) throw InputError("no vertex is painted, so the field has no values to start from");
+    check_values(painted_, repeats_, values);
+    check_source(base_.vertices, source);
+    return compute(values, source, {});
+  });
+}
+
+/// (n, k): the values where painted, source times mass where free; divided by the power of two of their column.
+Block HarmonicSolver::prescribe(const Eigen::Ref<const Eigen::MatrixXd>& values, std::span<const double> source,
+                                const std::vector<int>& exponents) const {
+  Block prescribed = Block::Zero(base_.vertices, values.cols());
+  for (Eigen::Index k = 0; k < values.cols(); ++k) {
+    const int exponent = -exponents[static_cast<std::size_t>(k)];
+    if (!source.empty()) {
+      const SparseView K = solver_->matrix();
+      for (Index row = 0; row < base_.vertices; ++row)
+        if (rows_->fixed()[at(row)] == 0)
+          prescribed(row, k) = diagonal(K, row) * scaled(source[at(solver_->order()[at(row)])], exponent);
+    }
+    for (std::size_t c = 0; c < painted_.size(); ++c)
+      prescribed(position_[at(painted_[c])], k) = scaled(values(static_cast<Eigen::Index>(c), k), exponent);
+  }
+  return prescribed;
+}
+
+/// \param guess  (V, k) the last field, or anything of another shape
+Field HarmonicSolver::compute(const Eigen::Ref<const Eigen::MatrixXd>& values, std::span<const double> source,
+                              const Eigen::MatrixXd& guess) const {
   const Stopwatch watch;
   Field field{{}, base_};
   SolveReport& report = field.report;
-  Eigen::MatrixXd prescribed = prescribe(values, source);
+  std::vector<int> exponents;
+  for (const auto column : values.colwise()) exponents.push_back(scale_of(column, source));
+
+  const Block rhs = inject_right_hand_side(solver_->matrix(), rows_->fixed(), prescribe(values, source, exponents));
+  Block x = rhs;
+  if (report.method == Method::multigrid && guess.rows() == x.rows() && guess.cols() == x.cols())
+    start_from(guess, exponents, x);
+  report.iterations = solver_->solve(rhs, x);
+  if (!x.allFinite()) throw SolverError("the solver returned a value that is not finite");
+  report.relative_residual = relative_residual(solver_->matrix(), rows_->fixed(), rhs, x);
   report.painted_minimum = values.minCoeff();
   report.painted_maximum = values.maxCoeff();
-
-  std::vector<int> exponents;
-  for (auto column : prescribed.colwise()) {
-    exponents.push_back(scale_of(column));
-    scale(column, -exponents.back());
-  }
-  field.values = solver_->solve(prescribed, report.iterations);
-  if (!field.values.allFinite()) throw SolverError("the solver returned a value that is not finite");
-
   report.minimum = kInfinity;
   report.maximum = -kInfinity;
-  for (Eigen::Index k = 0; k < field.values.cols(); ++k) {
-    auto column = field.values.col(k);
-    report.relative_residual =
-        std::max(report.relative_residual, relative_residual(stiffness_, fixed_, prescribed.col(k), column));
-    scale(column, exponents[static_cast<std::size_t>(k)]);
-    for (Index c = 0; c < painted_count(); ++c) column[painted_[at(c)]] = values(c, k);
-    if (source.empty()) project(regions_, column, report);
-    report_column(column, regions_, fixed_, report);
-    if (source.empty() && values.col(k).minCoeff() == values.col(k).maxCoeff())
-      report.warnings.push_back(message("every painted value is ", values(0, k), ", so the field is constant"));
+  field.values.resize(x.rows(), x.cols());
+  for (Eigen::Index k = 0; k < x.cols(); ++k) {
+    auto column = x.col(k);
+    if (const int exponent = exponents[static_cast<std::size_t>(k)]; exponent != 0)
+      for (double& number : column) number = std::ldexp(number, exponent);
+    for (std::size_t c = 0; c < painted_.size(); ++c)
+      column[position_[at(painted_[c])]] = values(static_cast<Eigen::Index>(c), k);
+    if (source.empty()) {
+      const Projection projection = project_onto_painted_range(regions_, column);
+      report.outside += projection.count;
+      report.farthest_outside = std::max(report.farthest_outside, projection.farthest);
+      if (values.col(k).minCoeff() == values.col(k).maxCoeff())
+        report.warnings.push_back(message("every painted value is ", values(0, k), ", so the field is constant"));
+    }
+    hand_out(column, field.values.col(k), report);
   }
-  for (Index i = 0; i < vertex_count() && report.undefined > 0; ++i)
-    if (fixed_[at(i)] != 0 && regions_.label[at(i)] != FreeRegions::kPainted)
-      field.values.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
   report.solve_seconds = watch.seconds();
   return field;
 }
 
+/// The free rows of x as the last field had them: where an iteration starts.
+void HarmonicSolver::start_from(const Eigen::MatrixXd& field, const std::vector<int>& exponents, Block& x) const {
+  for (Index row = 0; row < base_.vertices; ++row)
+    for (Eigen::Index k = 0; k < x.cols(); ++k)
+      if (const double last = field(solver_->order()[at(row)], k); rows_->fixed()[at(row)] == 0 && std::isfinite(last))
+        x(row, k) = scaled(last, -exponents[static_cast<std::size_t>(k)]);
+}
+
+/// A finished column by row to the same by vertex, NaN where it is undefined; takes its range into the report.
+void HarmonicSolver::hand_out(const Eigen::Ref<const Eigen::VectorXd, 0, Eigen::InnerStride<>>& column,
+                              Eigen::Ref<Eigen::VectorXd> values, SolveReport& report) const {
+  const std::span<const Index> order = solver_->order();
+  const bool any_undefined = report.undefined > 0;
+  std::mutex mutex;
+  parallel_chunks(order.size(), 1 << 15, [&](std::size_t begin, std::size_t end) {
+    double low = kInfinity, high = -kInfinity;
+    for (std::size_t i = begin; i < end; ++i) {
+      double value = column[static_cast<Eigen::Index>(i)];
+      if (any_undefined && rows_->is_undefined(static_cast<Index>(i))) {
+        value = std::numeric_limits<double>::quiet_NaN();
+      } else {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+      values[order[i]] = value;
+    }
+    const std::scoped_lock lock(mutex);
+    report.minimum = std::min(report.minimum, low);
+    report.maximum = std::max(report.maximum, high);
+  });
+}
+
 SparseMatrix dirichlet_laplacian(const Mesh& mesh, std::span<const Index> painted) {
-  return inject(random_walk(graph_stiffness(mesh)), paint(mesh.vertex_count(), painted));
+  check_painted(mesh.vertex_count(), painted);
+  Mask mask(at(mesh.vertex_count()), 0);
+  for (const Index v : painted) mask[at(v)] = 1;
+  return inject(random_walk(graph_stiffness(mesh)), mask);
 }
 
 } // namespace dirichlet

@@ -9,7 +9,7 @@
 namespace dirichlet {
 namespace {
 
-void check_mask(const SparseMatrix& matrix, const Mask& mask) {
+void check_mask(const SparseView& matrix, const Mask& mask) {
   if (matrix.rows() != matrix.cols() || mask.size() != static_cast<std::size_t>(matrix.rows()))
     throw InputError(
         message("a mask of ", mask.size(), " entries does not fit a matrix of ", matrix.rows(), " × ", matrix.cols()));
@@ -61,19 +61,18 @@ SymmetricMatrix inject_symmetric(const SparseMatrix& K, const Mask& mask) {
   return filter<SymmetricMatrix>(K, mask, [&](Index i, Index j) { return j >= i && !painted(mask, j); });
 }
 
-Eigen::MatrixXd inject_right_hand_side(const SparseMatrix& K, const Mask& mask, const Eigen::MatrixXd& prescribed) {
+Block inject_right_hand_side(const SparseView& K, const Mask& mask, Block prescribed) {
   check_mask(K, mask);
-  Eigen::MatrixXd rhs = prescribed;
   for (Index i = 0; i < K.rows(); ++i) {
-    if (painted(mask, i)) continue;
-    for_row(K, i, [&](Index j, double k) {
-      if (painted(mask, j)) rhs.row(i) -= k * prescribed.row(j);
+    if (!painted(mask, i)) continue;
+    for_row(K, i, [&](Index j, double k) { // K is symmetric: its column is its row
+      if (!painted(mask, j)) prescribed.row(j) -= k * prescribed.row(i);
     });
   }
-  return rhs;
+  return prescribed;
 }
 
-FreeRegions free_regions(const SparseMatrix& K, const Mask& mask) {
+FreeRegions free_regions(const SparseView& K, const Mask& mask) {
   check_mask(K, mask);
   const auto n = static_cast<Index>(K.rows());
   UnionFind sets(n);

@@ -121,7 +121,8 @@ TEST(Field, a_source_solves_poissons_equation) {
   const auto mesh =
       make_mesh(makers::grid(20, 2, false)); // φ'' = −2: φ = x (20 − x), times valence 4 of inner vertices
   std::vector<Index> ends;
-  for (Index j = 0; j < 3; ++j) ends.insert(ends.end(), {j * 21, j * 21 + 20});
+  for (Index j = 0; j < 3; ++j)
+    for (const Index end : {0, 20}) ends.push_back(j * 21 + end);
   const Eigen::VectorXd D = graph_stiffness(*mesh).diagonal();
   const Eigen::VectorXd source = 2 * D.cwiseInverse(); // K φ = D source = 2 everywhere
   for (const Method method : {Method::direct, Method::least_squares_cg}) {
@@ -237,11 +238,14 @@ TEST(FieldRefuses, a_source_that_does_not_fit_or_is_not_finite) {
 
 TEST(FieldRefuses, options_out_of_range_and_says_when_the_iteration_falls_short) {
   const Painting p(7);
-  SolverOptions options{Method::least_squares_cg, 0.0, {}};
+  SolverOptions options;
+  options.method = Method::least_squares_cg;
+  options.tolerance = 0;
   EXPECT_REFUSED(HarmonicSolver(*p.mesh, p.painted, options), InputError, "tolerance");
-  options = {Method::least_squares_cg, 1e-12, 0};
+  options.tolerance = 1e-12;
+  options.max_iterations = 0;
   EXPECT_REFUSED(HarmonicSolver(*p.mesh, p.painted, options), InputError, "max_iterations", "0");
-  options = {Method::least_squares_cg, 1e-12, 3};
+  options.max_iterations = 3;
   EXPECT_REFUSED(HarmonicSolver(*p.mesh, p.painted, options).solve(p.values), SolverError, "3 steps");
 }
 

@@ -1,49 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The memory of this program is counted, and denied on demand.
-#include <atomic>
 #include <cstdint>
-#include <cstdlib>
-#include <limits>
 #include <new>
 #include <numeric>
 
 #include <gtest/gtest.h>
 
+#include "denied_memory.h"
 #include "mesh_makers.h"
 #include "solver/factor.h"
-
-namespace {
-
-std::atomic<std::int64_t> allocations_left{std::numeric_limits<std::int64_t>::max()};
-std::atomic<std::int64_t> bytes_asked_for{0};
-
-void* allocate(std::size_t size) {
-  bytes_asked_for += static_cast<std::int64_t>(size);
-  void* const memory = allocations_left-- > 0 ? std::malloc(size == 0 ? 1 : size) : nullptr;
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-
-} // namespace
-
-void* operator new(std::size_t size) {
-  return allocate(size);
-}
-void* operator new[](std::size_t size) {
-  return allocate(size);
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace dirichlet {
 namespace {
@@ -78,9 +42,9 @@ TEST(FactorMemory, is_known_before_it_is_allocated) {
   const Torus torus(60);
   for (const std::int64_t most_kept : {std::int64_t{0}, kPlenty}) {
     const std::int64_t told = Factor<float>::bytes_needed(*torus.symbolic, torus.K.nonZeros(), most_kept);
-    const std::int64_t before = bytes_asked_for;
+    const std::int64_t before = bytes_asked_for();
     const Factor<float> factor(torus.symbolic, torus.matrix, most_kept);
-    const std::int64_t asked_for = bytes_asked_for - before; // with what is only used while it is set up
+    const std::int64_t asked_for = bytes_asked_for() - before; // with what is only used while it is set up
     EXPECT_EQ(factor.bytes(), told);
     const std::int64_t known = 8 * torus.symbolic->size() + 4 * std::int64_t(torus.symbolic->rows.size()) +
                                12 * torus.K.nonZeros(); // the matrix and the symbolic factor, most of them
@@ -93,16 +57,15 @@ TEST(FactorMemory, denied_anywhere_is_a_bad_alloc_and_harms_nobody) {
   const std::vector<double> expected = torus.solve();
   std::int64_t granted = 0;
   for (bool denied = true; denied; ++granted) {
-    denied = false;
     std::vector<double> x;
-    allocations_left = granted;
-    try {
-      x = torus.solve();
-    } catch (const std::bad_alloc&) {
-      denied = true;
+    {
+      const DeniedMemory deny(granted, DeniedMemory::kAll);
+      try {
+        x = torus.solve();
+      } catch (const std::bad_alloc&) { // a thread that there was no memory for is done without
+      }
+      denied = DeniedMemory::happened();
     }
-    denied = denied || allocations_left < 0; // a thread that there was no memory for is done without
-    allocations_left = std::numeric_limits<std::int64_t>::max();
     EXPECT_TRUE(x.empty() || x == expected);
   }
   EXPECT_GT(granted, 10);

@@ -222,7 +222,7 @@ def test_the_report_adds_up(method):
     assert 0 <= report.relative_residual <= 1e-10
     assert (report.minimum, report.maximum) == (np.nanmin(field.values), np.nanmax(field.values))
     assert (report.painted_minimum, report.painted_maximum) == (0.0, 1.0)
-    assert set(report.seconds) == {"connectivity", "laplacian", "injection", "factorisation", "solve"}
+    assert set(report.seconds) == {"connectivity", "laplacian", "analysis", "injection", "factorisation", "solve"}
     assert all(seconds >= 0 for seconds in report.seconds.values())
     assert json.loads(json.dumps(report.to_dict())) == {**vars(report), "warnings": list(report.warnings)}
     assert "\n" not in report.summary()

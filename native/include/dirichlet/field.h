@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <shared_mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,14 +14,25 @@
 
 namespace dirichlet {
 
+/// What had to be computed for a painting, given the one before.
+enum class Update : std::uint8_t {
+  nothing, ///< the same vertices, values and source: the field is the last one
+  values,  ///< the same vertices: substitution alone
+  partial, ///< the part of the factor that depends on the vertices that changed
+  full,    ///< the whole factor
+};
+
 /// What was solved, how well and how fast. Ranges are over all columns of a field.
 struct SolveReport {
+  Method method = Method::direct; ///< the one taken, never automatic
+  Update update = Update::full;   ///< by the last change of paint
+  double repeated = 1;            ///< its share of the work of a whole factorisation, in [0, 1]
   Index vertices = 0;
   Index painted = 0;                ///< distinct painted vertices
   Index unknowns = 0;               ///< free vertices that have an equation
-  std::int64_t nonzeros = 0;        ///< of the injected matrix; direct: of its lower triangle
+  std::int64_t nonzeros = 0;        ///< of the square matrix, the same for every painting
   std::int64_t factor_nonzeros = 0; ///< numbers stored for the factor; 0 for an iterative method
-  Index iterations = 0;             ///< 0 for a direct method
+  Index iterations = 0;             ///< 0 for a direct method in float64
   double relative_residual = 0;     ///< ‖rhs − Kφ‖ / ‖rhs‖ over the free vertices, the worst column
   double minimum = 0;               ///< of the defined values
   double maximum = 0;
@@ -31,8 +44,9 @@ struct SolveReport {
   Index first_undefined = -1;      ///< the lowest of them, or -1
   double connectivity_seconds = 0; ///< wall time: the mesh's validation and connectivity
   double laplacian_seconds = 0;
-  double injection_seconds = 0;
-  double factor_seconds = 0;
+  double analysis_seconds = 0;       ///< ordering and symbolic analysis; like the two above once per mesh
+  double injection_seconds = 0;      ///< of the last change of paint
+  double factor_seconds = 0;         ///< of the last change of paint
   double solve_seconds = 0;          ///< this right-hand side alone
   std::vector<std::string> warnings; ///< one sentence each
 };
@@ -43,44 +57,74 @@ struct Field {
   SolveReport report;
 };
 
-/// Laplace's (or Poisson's) equation on a mesh with values prescribed on painted vertices. Built once per mesh and
-/// painted set, then solves any values; keeps nothing of the mesh but its matrix.
+class FixedRows;
+
+/// Laplace's (or Poisson's) equation on a mesh with values prescribed on painted vertices. Lives as long as the mesh
+/// does not change: the matrix is ordered and analysed once, then `paint` follows the brush and computes no more than
+/// what changed, and `solve` serves any values of the painting that is there. Keeps nothing of the mesh but its matrix.
 ///
 /// Without a source the graph Laplacian has a maximum principle, so every field lies in the range painted at the rim of
 /// its region; what rounding leaves outside is projected onto it and counted in the report.
+///
+/// May be used from several threads: a `paint` waits for the `solve`s that run, and they for it.
 class HarmonicSolver {
  public:
+  /// Nothing painted yet. \throws InputError  an option out of its range. Cost: see make_solver.
+  explicit HarmonicSolver(const Mesh& mesh, const SolverOptions& options = {});
+
+  /// The vertices painted, their values still to come with `solve`.
   /// \param painted  (C,) vertices with a value, any order; a repeated one must be given equal values.
   /// \throws InputError   nothing painted, an index out of range (named with its place), an option out of range
   /// \throws SolverError  the factorisation failed
-  /// Cost: see make_solver.
   HarmonicSolver(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options = {});
 
-  /// \param values  (C, k) finite, aligned with `painted`.
-  /// \param source  (V,) finite, or empty: at free vertices (I − D⁻¹A) φ = source, so a positive source raises φ.
-  ///                Entries at painted vertices are not read.
-  /// \throws InputError   a wrong length, a number that is not finite, one vertex with two values; names it
-  /// \throws SolverError  not converged
+  ~HarmonicSolver();
+
+  /// A new painting and its field; the report tells how much of the last one could be used. The result does not depend
+  /// on what was painted before: direct in float64 it is the same bit for bit, else to the tolerance.
+  /// \param painted  as above
+  /// \param values   (C, k) finite, aligned with `painted`.
+  /// \param source   (V,) finite, or empty: at free vertices (I − D⁻¹A) φ = source, so a positive source raises φ.
+  ///                 Entries at painted vertices are not read.
+  /// \throws InputError   a wrong length, a number that is not finite, one vertex with two values; names it. The last
+  ///                      painting stays.
+  /// \throws SolverError  the factorisation failed, or not converged; another painting may do better
+  Field paint(std::span<const Index> painted, const Eigen::Ref<const Eigen::MatrixXd>& values,
+              std::span<const double> source = {});
+
+  /// The field of other values, the painted vertices as they are. Arguments and errors as above.
   [[nodiscard]] Field solve(const Eigen::Ref<const Eigen::MatrixXd>& values, std::span<const double> source = {}) const;
 
-  [[nodiscard]] Index vertex_count() const { return static_cast<Index>(stiffness_.rows()); }
-  [[nodiscard]] Index painted_count() const { return static_cast<Index>(painted_.size()); } ///< C
+  [[nodiscard]] Index vertex_count() const { return base_.vertices; }
 
-  HarmonicSolver(const HarmonicSolver&) = delete; // its solver refers to its matrix
+  HarmonicSolver(const HarmonicSolver&) = delete;
   HarmonicSolver& operator=(const HarmonicSolver&) = delete;
 
  private:
-  /// (V, k): the values where painted, source times mass where free.
-  [[nodiscard]] Eigen::MatrixXd prescribe(const Eigen::Ref<const Eigen::MatrixXd>& values,
-                                          std::span<const double> source) const;
+  void repaint(std::span<const Index> painted);
+  void report_painting();
+  [[nodiscard]] Field unchanged();
+  [[nodiscard]] Block prescribe(const Eigen::Ref<const Eigen::MatrixXd>& values, std::span<const double> source,
+                                const std::vector<int>& exponents) const;
+  [[nodiscard]] Field compute(const Eigen::Ref<const Eigen::MatrixXd>& values, std::span<const double> source,
+                              const Eigen::MatrixXd& guess) const;
+  void start_from(const Eigen::MatrixXd& field, const std::vector<int>& exponents, Block& x) const;
+  void hand_out(const Eigen::Ref<const Eigen::VectorXd, 0, Eigen::InnerStride<>>& column,
+                Eigen::Ref<Eigen::VectorXd> values, SolveReport& report) const;
 
-  SparseMatrix stiffness_;
-  std::vector<Index> painted_;
+  std::unique_ptr<Solver> solver_;
+  std::vector<Index> position_; ///< (V,) the row of every vertex
+  std::unique_ptr<FixedRows> rows_;
+  FreeRegions regions_;                       ///< by row
+  std::vector<Index> painted_;                ///< as given; empty while nothing is painted
   std::vector<std::array<Index, 2>> repeats_; ///< places of painted_ that name a vertex again, and where it stood first
-  Mask fixed_;                                ///< painted, or undefined: rows without an equation of their own
-  FreeRegions regions_;
-  std::unique_ptr<const Solver> solver_;
-  SolveReport base_; ///< what does not depend on the values
+  SolveReport base_;                          ///< what does not depend on the values
+
+  // The last painting, to tell what changed.
+  Eigen::MatrixXd values_;
+  std::vector<double> source_;
+  Field last_;
+  mutable std::shared_mutex mutex_;
 };
 
 /// The paper's square matrix for a painted set, (I − M)(I − D⁻¹A) + M. \throws InputError  as HarmonicSolver.

@@ -28,9 +28,13 @@ using SymmetricMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;
 /// below. Cost: O(non-zeros).
 SymmetricMatrix inject_symmetric(const SparseMatrix& K, const Mask& mask);
 
+/// k vectors side by side: (n, k), one row per unknown.
+using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// The right-hand side that goes with it, M b + (I − M)(s − K M b), for k fields at once.
 /// \param prescribed  (n, k): the value b where painted, the source s (already times mass) where free.
-Eigen::MatrixXd inject_right_hand_side(const SparseMatrix& K, const Mask& mask, const Eigen::MatrixXd& prescribed);
+/// Cost: O(n k + non-zeros in painted rows).
+Block inject_right_hand_side(const SparseView& K, const Mask& mask, Block prescribed);
 
 /// What the paint cuts the surface into: the connected pieces of the free vertices. Each is a Dirichlet problem of its
 /// own, ruled by the painted vertices at its rim; a piece without a rim has no equation and its field is undefined.
@@ -43,6 +47,6 @@ struct FreeRegions {
 };
 
 /// Cost: O(n + non-zeros).
-FreeRegions free_regions(const SparseMatrix& K, const Mask& mask);
+FreeRegions free_regions(const SparseView& K, const Mask& mask);
 
 } // namespace dirichlet

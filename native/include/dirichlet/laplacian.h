@@ -10,6 +10,9 @@ namespace dirichlet {
 /// n × n in compressed rows (CSR), column indices ascending in every row.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, Index>;
 
+/// The same where it is only read, wherever its arrays are; columns in any order. Compressed.
+using SparseView = Eigen::Ref<const SparseMatrix>;
+
 /// The stiffness matrix of the graph Laplacian, K = D − A: symmetric, positive semi-definite, rows sum to 0.
 ///
 /// A(i,j) = 1 where the mesh has the *polygon* edge (i,j), diagonals do not count; D(i,i) is the number of one-ring

@@ -4,54 +4,74 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-
-#include <Eigen/Core>
+#include <span>
+#include <vector>
 
 #include "dirichlet/injection.h"
 
 namespace dirichlet {
 
-enum class Method {
+enum class Method : std::uint8_t {
+  automatic,        ///< direct where the factor fits the memory budget, else multigrid
   direct,           ///< multifrontal Cholesky of the symmetric twin, on all cores
+  multigrid,        ///< conjugate gradients on the twin, preconditioned by smoothed aggregation
   least_squares_cg, ///< the paper's: conjugate gradients on LᵀL of the raw, unsymmetric matrix; the reference
 };
 
+enum class Precision : std::uint8_t {
+  float64, ///< of the factor
+  float32, ///< half the memory; conjugate gradients on doubles refine what it gives, to the tolerance
+};
+
 struct SolverOptions {
-  Method method = Method::direct;
-  /// least_squares_cg alone: stop at ‖Aᵀr‖ ≤ tolerance ‖Aᵀb‖. In (0, 1).
-  double tolerance = 1e-14;
-  /// least_squares_cg alone: give up after so many steps. At least 1; nothing said: 20 n + 1000.
+  Method method = Method::automatic;
+  Precision precision = Precision::float64; ///< of the direct method's factor
+  /// Bytes that the factor and what makes strokes quick may take; nothing said: half of the machine's memory.
+  std::optional<std::int64_t> memory_budget;
+  /// In (0, 1). A float32 factor and multigrid stop at ‖r‖ ≤ tolerance ‖b‖ (nothing said: 1e-10), least squares at
+  /// ‖Aᵀr‖ ≤ tolerance ‖Aᵀb‖ (nothing said: 1e-14).
+  std::optional<double> tolerance;
+  /// Give up after so many steps. At least 1; nothing said: 20 n + 1000 for least squares, else 500.
   std::optional<Index> max_iterations;
 };
 
 struct SolverStatistics {
-  Index unknowns = 0;               ///< free vertices
-  std::int64_t nonzeros = 0;        ///< of the injected matrix; direct: of its lower triangle
+  Method method = Method::direct;   ///< what automatic chose
+  std::int64_t nonzeros = 0;        ///< of the matrix, the same for every painting
   std::int64_t factor_nonzeros = 0; ///< numbers stored for L; 0 for an iterative method
-  double inject_seconds = 0;        ///< building the injected matrix
-  double factor_seconds = 0;        ///< ordering and factorisation
+  double analysis_seconds = 0;      ///< ordering and symbolic analysis, once per matrix
 };
 
-/// One way to solve the injected system. Built once per stiffness matrix and mask; solves any number of right-hand
-/// sides, from several threads.
+/// One way to solve the injected system. Made once per stiffness matrix; then masks come and go, and every mask serves
+/// any number of right-hand sides.
+///
+/// It works in a numbering of its own, in which neighbours are near each other however the matrix was numbered: row i
+/// is row order()[i] of the matrix it was made of. Masks and right-hand sides are by row.
 class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// \param prescribed  (n, k): painted values where painted, source times mass where free.
-  /// \param iterations  the largest number of steps any column took; 0 for a direct method.
-  /// \returns           (n, k)
-  /// \throws SolverError  not converged, or not finite.
-  [[nodiscard]] virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& prescribed, Index& iterations) const = 0;
-
+  [[nodiscard]] virtual SparseView matrix() const = 0;            ///< K, renumbered
+  [[nodiscard]] virtual std::span<const Index> order() const = 0; ///< (n,)
   [[nodiscard]] virtual const SolverStatistics& statistics() const = 0;
+
+  /// Makes rows identity rows where the mask says so, and the others equations again; does no more than the change from
+  /// the last mask asks for.
+  /// \returns  the share of a whole factorisation's work that this took, in [0, 1]; 0 for the mask that is there
+  /// \throws SolverError  the injected matrix is singular, or memory was denied. The next call starts from nothing.
+  virtual double inject(const Mask& mask) = 0;
+
+  /// \param rhs  (n, k) of the injected twin: see inject_right_hand_side
+  /// \param x    (n, k) a guess (an iterative method starts from it), then the solution
+  /// \returns    the largest number of steps any column took; 0 for a direct method
+  /// 	hrows SolverError  not converged. May be called from several threads at once.
+  virtual Index solve(const Block& rhs, Block& x) const = 0;
 };
 
-/// \param K     (n, n) symmetric, positive definite on the free vertices once the mask is injected. The solver keeps a
-///              reference to it: it has to live as long.
-/// \throws InputError   an option out of its range
-/// \throws SolverError  the injected matrix is singular, or memory was denied
-/// Cost: direct O(n^1.5) on surfaces, memory O(n log n); least squares O(n) per step.
-std::unique_ptr<Solver> make_solver(const SparseMatrix& K, const Mask& mask, const SolverOptions& options);
+/// \param K  (n, n) symmetric, positive definite on the free rows once a mask is injected; used up.
+/// 	hrows InputError   an option out of its range
+/// 	hrows SolverError  memory was denied
+/// Cost: direct O(n^1.5) on surfaces, memory O(n log n); multigrid O(n); least squares O(n) per step.
+std::unique_ptr<Solver> make_solver(SparseMatrix&& K, const SolverOptions& options);
 
 } // namespace dirichlet

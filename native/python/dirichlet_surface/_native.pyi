@@ -38,8 +38,16 @@ class Mesh:
 
 class HarmonicSolver:
     def __init__(
-        self, mesh: Mesh, vertices: _Indices, direct: bool, tolerance: float | None, max_iterations: int | None
+        self,
+        mesh: Mesh,
+        vertices: _Indices | None,
+        method: str,
+        precision: str,
+        memory_budget: int | None,
+        tolerance: float | None,
+        max_iterations: int | None,
     ) -> None: ...
+    def paint(self, vertices: _Indices, values: _Reals, source: _Reals | None) -> tuple[_Reals, dict[str, Any]]: ...
     def solve(self, values: _Reals, source: _Reals | None) -> tuple[_Reals, dict[str, Any]]: ...
 
 def dirichlet_laplacian(mesh: Mesh, vertices: _Indices) -> tuple[_Indices, _Indices, _Reals]: ...

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Harmonic fields: Laplace's (or Poisson's) equation with values injected on painted vertices."""
 
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from typing import Any, NamedTuple
 
@@ -13,7 +14,8 @@ from ._native import InputError
 from .mesh import Mesh
 
 LAPLACIANS = ("graph",)
-METHODS = ("direct", "lscg")
+METHODS = ("auto", "direct", "multigrid", "lscg")
+PRECISIONS = ("float64", "float32")
 
 
 @dataclass(frozen=True)
@@ -22,16 +24,22 @@ class SolveReport:
 
     laplacian: str
     method: str
+    """the one taken, never "auto\""""
+    update: str
+    """what the last painting took, given the one before: "nothing", "values", "partial" or "full" factorisation"""
+    repeated: float
+    """its share of the work of a whole factorisation, 0 to 1"""
     vertices: int
     painted: int
     """distinct painted vertices"""
     unknowns: int
     """free vertices that have an equation"""
     nonzeros: int
-    """of the injected matrix; direct: of its lower triangle"""
+    """of the square matrix"""
     factor_nonzeros: int
+    """numbers stored for the factor; 0 for an iterative method"""
     iterations: int
-    """0 for a direct method"""
+    """0 for a direct method in float64"""
     relative_residual: float
     """‖rhs − Kφ‖ / ‖rhs‖ over the free vertices, the worst column"""
     minimum: float
@@ -46,16 +54,22 @@ class SolveReport:
     first_undefined: int
     """the lowest of them, or -1"""
     seconds: dict[str, float]
-    """wall time of connectivity, laplacian, injection, factorisation and solve"""
+    """wall time: connectivity, laplacian and analysis once per mesh; injection and factorisation of the last change of
+    paint; solve"""
     warnings: tuple[str, ...]
 
     def summary(self) -> str:
         """One line for people."""
-        milliseconds = 1000 * sum(self.seconds.values())
         return (
-            f"{self.unknowns} of {self.vertices} vertices solved in {milliseconds:.1f} ms, "
+            f"{self.unknowns} of {self.vertices} vertices solved in {1000 * self.total_seconds:.1f} ms, "
             f"values {self.minimum:.6g} to {self.maximum:.6g}, relative residual {self.relative_residual:.1e}"
         )
+
+    @property
+    def total_seconds(self) -> float:
+        """From arrays to the field for the first painting of a mesh, else from one painting to the next."""
+        once = ("connectivity", "laplacian", "analysis") if self.update != "full" else ()
+        return sum(seconds for stage, seconds in self.seconds.items() if stage not in once)
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers, strings, lists and dictionaries, ready for JSON."""
@@ -71,39 +85,67 @@ class Field:
 
 
 class HarmonicSolver:
-    """Factors the problem once for a mesh and its painted vertices, then solves any values.
+    """Lives with a mesh: orders and analyses its matrix once, then follows the paint and the values.
 
     mesh            what is painted; only its matrix is kept
-    vertices        (C,) painted vertices, any order; a repeated one has to be given equal values
+    vertices        (C,) painted vertices for `solve`, any order; or nothing yet
     laplacian       "graph": the paper's, I − D⁻¹A over the polygon edges
-    method          "direct": Cholesky of the symmetric twin; "lscg": the paper's least-squares conjugate gradients on
-                    the raw matrix, the reference
-    tolerance       lscg alone: stop at ‖Aᵀr‖ ≤ tolerance ‖Aᵀb‖, in (0, 1)
-    max_iterations  lscg alone: at least 1
+    method          "direct": Cholesky of the symmetric twin; "multigrid": conjugate gradients with memory O(V);
+                    "auto": direct where the factor fits the memory budget, else multigrid; "lscg": the paper's
+                    least-squares conjugate gradients on the raw matrix, the reference
+    precision       of the direct method's factor: "float64", or "float32" at half the memory, refined to the tolerance
+    memory_budget   bytes for the factor and what makes strokes quick; nothing said: half of the machine's memory
+    tolerance       in (0, 1); float32 and multigrid stop at ‖r‖ ≤ tolerance ‖b‖ (nothing said: 1e-10), lscg at
+                    ‖Aᵀr‖ ≤ tolerance ‖Aᵀb‖ (nothing said: 1e-14)
+    max_iterations  of the same; at least 1
 
-    Raises InputError (nothing painted, an index or option out of range) or SolverError.
+    May be used from several threads. Raises InputError (nothing painted, an index or option out of range) or
+    SolverError.
     """
 
     def __init__(
         self,
         mesh: Mesh,
-        vertices: ArrayLike,
+        vertices: ArrayLike | None = None,
         *,
         laplacian: str = "graph",
-        method: str = "direct",
+        method: str = "auto",
+        precision: str = "float64",
+        memory_budget: int | None = None,
         tolerance: float | None = None,
         max_iterations: int | None = None,
     ) -> None:
-        for name, kinds, what in ((laplacian, LAPLACIANS, "Laplacian"), (method, METHODS, "method")):
+        for name, kinds, what in (
+            (laplacian, LAPLACIANS, "Laplacian"),
+            (method, METHODS, "method"),
+            (precision, PRECISIONS, "precision"),
+        ):
             if name not in kinds:
                 raise InputError(f"there is no {what} {name!r}; choose from: {', '.join(kinds)}")
-        painted = as_indices(vertices, "painted vertices")
-        require_shape(painted, (None,), "painted vertices")
+        if memory_budget is not None:
+            memory_budget = as_count(memory_budget, "memory_budget", 2**63 - 1)
         if max_iterations is not None:
             max_iterations = as_count(max_iterations, "max_iterations", 2**31 - 1)
-        self._choice: dict[str, Any] = {"laplacian": laplacian, "method": method}
-        self._native = _native.HarmonicSolver(mesh, painted, method == "direct", tolerance, max_iterations)
+        self._laplacian = laplacian
+        self._native = _native.HarmonicSolver(
+            mesh,
+            None if vertices is None else _painted(vertices),
+            method,
+            precision,
+            memory_budget,
+            tolerance,
+            max_iterations,
+        )
         self._report: SolveReport | None = None
+
+    def paint(self, vertices: ArrayLike, values: ArrayLike, source: ArrayLike | None = None) -> Reals:
+        """A new painting and its field: (V,) for values (C,), or (V, k) for (C, k).
+
+        Computes no more than what changed since the last one, and `report.update` says what that was. The field does
+        not depend on what was painted before: bit for bit for a direct method in float64, else to the tolerance.
+        Arguments, result and errors otherwise as for `solve`; after an InputError the last painting stays.
+        """
+        return self._solved(self._native.paint, values, source, _painted(vertices))
 
     def solve(self, values: ArrayLike, source: ArrayLike | None = None) -> Reals:
         """The field for painted values (C,) or (C, k), aligned with the vertices: (V,) or (V, k).
@@ -114,6 +156,15 @@ class HarmonicSolver:
         φ equals the painted values bit for bit where painted, and is NaN on connected pieces without paint. Raises
         InputError (a length, a number that is not finite, one vertex with two values) or SolverError. Releases the GIL.
         """
+        return self._solved(self._native.solve, values, source)
+
+    def _solved(
+        self,
+        solve: Callable[..., tuple[Reals, dict[str, Any]]],
+        values: ArrayLike,
+        source: ArrayLike | None,
+        *first: Any,
+    ) -> Reals:
         columns = as_reals(values, "painted values")
         if columns.ndim not in (1, 2):
             raise InputError(f"painted values have the shape {columns.shape}, but have to be (C,) or (C, k)")
@@ -121,8 +172,8 @@ class HarmonicSolver:
         if source is not None:
             forcing = as_reals(source, "sources")
             require_shape(forcing, (None,), "sources")
-        field, report = self._native.solve(columns[:, None] if columns.ndim == 1 else columns, forcing)
-        self._report = SolveReport(**self._choice, **report)
+        field, report = solve(*first, columns[:, None] if columns.ndim == 1 else columns, forcing)
+        self._report = SolveReport(laplacian=self._laplacian, **report)
         return field[:, 0] if columns.ndim == 1 else field
 
     @property
@@ -133,23 +184,38 @@ class HarmonicSolver:
         return self._report
 
 
+def _painted(vertices: ArrayLike) -> Indices:
+    painted = as_indices(vertices, "painted vertices")
+    require_shape(painted, (None,), "painted vertices")
+    return painted
+
+
 def solve(
     mesh: Mesh,
     vertices: ArrayLike,
     values: ArrayLike,
     *,
     laplacian: str = "graph",
-    method: str = "direct",
+    method: str = "auto",
+    precision: str = "float64",
+    memory_budget: int | None = None,
     source: ArrayLike | None = None,
     tolerance: float | None = None,
     max_iterations: int | None = None,
 ) -> Field:
     """The field (V,) that has `values` (C,) at `vertices` (C,) and is harmonic everywhere else; see HarmonicSolver."""
-    solver = HarmonicSolver(
-        mesh, vertices, laplacian=laplacian, method=method, tolerance=tolerance, max_iterations=max_iterations
-    )
     numbers = as_reals(values, "painted values")
     require_shape(numbers, (None,), "painted values")
+    solver = HarmonicSolver(
+        mesh,
+        vertices,
+        laplacian=laplacian,
+        method=method,
+        precision=precision,
+        memory_budget=memory_budget,
+        tolerance=tolerance,
+        max_iterations=max_iterations,
+    )
     return Field(solver.solve(numbers, source), solver.report)
 
 
@@ -173,6 +239,4 @@ def dirichlet_laplacian(mesh: Mesh, vertices: ArrayLike) -> CsrMatrix:
 
     Raises InputError: nothing painted, an index out of range. Cost: O(V + E).
     """
-    painted = as_indices(vertices, "painted vertices")
-    require_shape(painted, (None,), "painted vertices")
-    return CsrMatrix(*_native.dirichlet_laplacian(mesh, painted))
+    return CsrMatrix(*_native.dirichlet_laplacian(mesh, _painted(vertices)))

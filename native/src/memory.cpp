@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "memory.h"
+
+#include <limits>
+
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace dirichlet {
+
+std::int64_t physical_memory() {
+#ifdef _WIN32
+  MEMORYSTATUSEX status{};
+  status.dwLength = sizeof status;
+  if (GlobalMemoryStatusEx(&status) != 0) return static_cast<std::int64_t>(status.ullTotalPhys);
+#elif defined(_SC_PHYS_PAGES)
+  const std::int64_t pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+  if (pages > 0 && page > 0) return pages * page;
+#endif
+  return std::numeric_limits<std::int64_t>::max();
+}
+
+} // namespace dirichlet

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "painting_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dirichlet/error.h"
+#include "index.h"
+#include "message.h"
+
+namespace dirichlet {
+namespace {
+
+void check_finite(std::span<const double> numbers, const char* what, const char* where) {
+  const auto bad = [](double x) { return !std::isfinite(x); };
+  const auto first = std::find_if(numbers.begin(), numbers.end(), bad);
+  if (first != numbers.end())
+    throw InputError(message(what, " at ", where, ' ', first - numbers.begin(), " is ", *first,
+                             and_more(std::count_if(first, numbers.end(), bad) - 1, where)));
+}
+
+} // namespace
+
+void check_painted(Index vertex_count, std::span<const Index> painted) {
+  if (painted.empty()) throw InputError("no vertex is painted, so the field has no values to start from");
+  const auto bad = [=](Index v) { return v < 0 || v >= vertex_count; };
+  const auto first = std::find_if(painted.begin(), painted.end(), bad);
+  if (first != painted.end())
+    throw InputError(message("painted vertex ", *first, " (at place ", first - painted.begin(),
+                             ") is not one of the vertices 0 to ", vertex_count - 1,
+                             and_more(std::count_if(first, painted.end(), bad) - 1, "place")));
+}
+
+std::vector<std::array<Index, 2>> find_repeats(Index vertex_count, std::span<const Index> painted) {
+  std::vector<std::uint8_t> seen(at(vertex_count), 0);
+  bool any = false;
+  for (const Index v : painted) any |= std::exchange(seen[at(v)], 1) != 0;
+  std::vector<std::array<Index, 2>> repeats;
+  if (!any) return repeats;
+  std::vector<Index> first(at(vertex_count), -1);
+  for (Index c = 0; c < static_cast<Index>(painted.size()); ++c) {
+    Index& place = first[at(painted[at(c)])];
+    if (place < 0)
+      place = c;
+    else
+      repeats.push_back({c, place});
+  }
+  return repeats;
+}
+
+void check_values(std::span<const Index> painted, const std::vector<std::array<Index, 2>>& repeats,
+                  const Eigen::Ref<const Eigen::MatrixXd>& values) {
+  if (values.cols() < 1) throw InputError("no column of values was given");
+  if (values.rows() != static_cast<Eigen::Index>(painted.size()))
+    throw InputError(message(values.rows(), " values were given for ", painted.size(), " painted vertices"));
+  for (Eigen::Index column = 0; column < values.cols(); ++column)
+    check_finite({values.col(column).data(), painted.size()}, "the painted value", "place");
+  for (const auto& [again, first] : repeats)
+    if (values.row(again) != values.row(first))
+      throw InputError(message("vertex ", painted[at(again)], " is painted with ", values(first, 0), " (at place ",
+                               first, ") and with ", values(again, 0), " (at place ", again, ")"));
+}
+
+void check_source(Index vertex_count, std::span<const double> source) {
+  if (!source.empty() && source.size() != at(vertex_count))
+    throw InputError(message("a source of ", source.size(), " numbers does not fit ", vertex_count, " vertices"));
+  check_finite(source, "the source", "vertex");
+}
+
+} // namespace dirichlet
