@@ -61,7 +61,10 @@ class DirichletSettings(bpy.types.PropertyGroup):
         name="Method",
         description="How the linear system is solved",
         items=(
+            ("auto", "Automatic", "Direct while the factorisation fits into half of the memory, else Multigrid"),
             ("direct", "Direct", "Cholesky factorisation of the symmetric form: fast and exact to rounding"),
+            ("multigrid", "Multigrid", "Conjugate gradients with little memory, to a relative residual of 1e-10: for "
+             "meshes of many millions of vertices"),
             ("lscg", "Least Squares", "Least-squares conjugate gradients on the unsymmetric matrix, as in the paper: "
              "a slow reference"),
         ),

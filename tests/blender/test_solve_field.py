@@ -189,11 +189,12 @@ def test_results_tell_the_paper_table():
     assert results.solver_ms > 0
 
 
-def test_both_methods_agree(pipeline):
+def test_all_methods_agree(pipeline):
     obj = painted_sphere(subdivisions=3)
     fields = {}
-    for method in ("direct", "lscg"):
+    for method in ("direct", "multigrid", "lscg"):
         obj.dirichlet.method = method
         field = pipeline.solve_field(obj).field
         fields[field.report.method] = field.values
     assert np.allclose(fields["direct"], fields["lscg"], rtol=0, atol=1e-8)
+    assert np.allclose(fields["direct"], fields["multigrid"], rtol=0, atol=1e-8)

@@ -48,7 +48,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument("--overlap", choices=OVERLAP_RULES, default="error", help="for patches that disagree")
     parser.add_argument("--laplacian", choices=LAPLACIANS, default="graph")
-    parser.add_argument("--method", choices=METHODS, default="auto", help="lscg: the paper's least-squares CG")
+    parser.add_argument(
+        "--method", choices=METHODS, default="auto",
+        help="auto (default): direct while it fits half of the memory, else multigrid; lscg: the paper's least squares",
+    )  # fmt: skip
 
     levels = parser.add_mutually_exclusive_group()
     levels.add_argument("--isolines", type=int, metavar="N", help="N levels spread evenly in the window (default 10)")

@@ -27,7 +27,7 @@ Graph graph_of(const SparseMatrix& K) {
 
 /// Dissection pays on large surfaces; on small ones minimum degree is as good and quicker.
 std::vector<Index> elimination_order(const SparseMatrix& K) {
-  constexpr Index kSmall = 50'000;
+  constexpr Index kSmall = 25'000;
   const Graph graph = graph_of(K);
   if (K.rows() > kSmall)
     return fill_reducing_order(graph.offsets, graph.neighbours, static_cast<unsigned>(core_count()));
