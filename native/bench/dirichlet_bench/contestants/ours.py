@@ -50,10 +50,7 @@ def live(scene: Scene, field: Path, recorder: Recorder, options: dict[str, Any])
     np.save(field, solver.solve(values))
     recorder.state("memory", memory.peak())
     recorder.state("own residual", solver.report.relative_residual)
-    if hasattr(solver, "paint"):
-        paint(solver, scene, recorder, memory)
-    else:
-        recorder.state("note", "there is no HarmonicSolver.paint yet")
+    paint(solver, scene, recorder, memory)
 
     def solve_values(run: int) -> None:
         with recorder.time("values"):
