@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
@@ -42,13 +43,19 @@ py::dict to_dict(const SolveReport& report) {
                   "warnings"_a = py::tuple(py::cast(report.warnings)));
 }
 
+/// Indices that are checked stay as they were, whatever another thread writes to the array meanwhile.
+std::vector<Index> copy(const Array<Index>& array) {
+  const auto items = view(array);
+  return {items.begin(), items.end()};
+}
+
 std::unique_ptr<HarmonicSolver> make(const Mesh& mesh, const std::optional<Array<Index>>& painted,
                                      const std::string& method, const std::string& precision,
                                      std::optional<std::int64_t> memory_budget, std::optional<double> tolerance,
                                      std::optional<Index> max_iterations) {
   const SolverOptions options{named<Method>(kMethods, method), named<Precision>(kPrecisions, precision), memory_budget,
                               tolerance, max_iterations};
-  const auto vertices = painted ? view(*painted) : std::span<const Index>{};
+  const std::vector<Index> vertices = painted ? copy(*painted) : std::vector<Index>{};
   const py::gil_scoped_release release;
   if (!painted) return std::make_unique<HarmonicSolver>(mesh, options);
   return std::make_unique<HarmonicSolver>(mesh, vertices, options);
@@ -70,7 +77,7 @@ py::tuple solved(const std::optional<Array<double>>& source, const Solve& solve)
 
 py::tuple paint(HarmonicSolver& solver, const Array<Index>& painted, const Values& values,
                 const std::optional<Array<double>>& source) {
-  const auto vertices = view(painted);
+  const std::vector<Index> vertices = copy(painted);
   return solved(source, [&](std::span<const double> numbers) { return solver.paint(vertices, values, numbers); });
 }
 
@@ -79,7 +86,7 @@ py::tuple solve(const HarmonicSolver& solver, const Values& values, const std::o
 }
 
 py::tuple matrix(const Mesh& mesh, const Array<Index>& painted) {
-  const auto vertices = view(painted);
+  const std::vector<Index> vertices = copy(painted);
   auto owner = std::make_unique<SparseMatrix>();
   {
     const py::gil_scoped_release release;

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 #include "dirichlet/error.h"
 #include "fixed_rows.h"
@@ -24,14 +26,40 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The power of two that numbers are divided by so that no sum can overflow or lose digits to underflow; it takes no
-/// digit from any of them. 0 for ordinary numbers.
-int scale_of(const Eigen::Ref<const Eigen::VectorXd>& values, std::span<const double> source) {
+/// The power of two that brings a number to [1/2, 1); 0 for ordinary numbers, whose squares and sums are no danger.
+int scale_of(double largest) {
   int exponent = 0;
-  double largest = values.cwiseAbs().maxCoeff();
-  for (const double s : source) largest = std::max(largest, std::abs(s));
   std::frexp(largest, &exponent);
   return std::abs(exponent) > 256 ? exponent : 0;
+}
+
+int scale_of(const Eigen::Ref<const Eigen::VectorXd>& values, std::span<const double> source) {
+  double largest = values.cwiseAbs().maxCoeff();
+  for (const double s : source) largest = std::max(largest, std::abs(s));
+  return scale_of(largest);
+}
+
+/// Brings what reaches the free rows to a range where it has norms: it may be far below the numbers it came from.
+/// \returns  the power of two every column was divided by there
+std::vector<int> scale_free_rows(const Mask& fixed, Block& rhs) {
+  const auto n = static_cast<Index>(rhs.rows());
+  std::vector<int> exponents;
+  for (auto column : rhs.colwise()) {
+    double largest = 0;
+    for (Index row = 0; row < n; ++row)
+      if (fixed[at(row)] == 0) largest = std::max(largest, std::abs(column[row]));
+    const int exponent = scale_of(largest);
+    exponents.push_back(exponent);
+    for (Index row = 0; row < n && exponent != 0; ++row)
+      if (fixed[at(row)] == 0) column[row] = std::ldexp(column[row], -exponent);
+  }
+  return exponents;
+}
+
+/// \param options  handed through: for a constructor that has to check before it delegates
+const SolverOptions& checked(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options) {
+  check_painted(mesh.vertex_count(), painted);
+  return options;
 }
 
 double scaled(double x, int exponent) {
@@ -82,18 +110,14 @@ HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options) {
 }
 
 HarmonicSolver::HarmonicSolver(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options)
-    : HarmonicSolver(mesh, options) {
-  with_memory(base_.vertices, [&] {
-    check_painted(base_.vertices, painted);
-    repeats_ = find_repeats(base_.vertices, painted);
-    repaint(painted);
-  });
+    : HarmonicSolver(mesh, checked(mesh, painted, options)) {
+  with_memory(base_.vertices, [&] { repaint(painted, find_repeats(base_.vertices, painted)); });
 }
 
 HarmonicSolver::~HarmonicSolver() = default;
 
 /// Brings mask, factor and regions up to a painting that was checked.
-void HarmonicSolver::repaint(std::span<const Index> painted) {
+void HarmonicSolver::repaint(std::span<const Index> painted, Repeats repeats) {
   Stopwatch watch;
   std::vector<Index> rows(painted.size());
   for (std::size_t c = 0; c < rows.size(); ++c) rows[c] = position_[at(painted[c])];
@@ -108,8 +132,9 @@ void HarmonicSolver::repaint(std::span<const Index> painted) {
     regions_ = free_regions(solver_->matrix(), rows_->fixed());
   }
   base_.injection_seconds += watch.seconds();
-  painted_.assign(painted.begin(), painted.end());
   report_painting();
+  repeats_ = std::move(repeats);
+  painted_.assign(painted.begin(), painted.end());
 }
 
 void HarmonicSolver::report_painting() {
@@ -135,12 +160,12 @@ Field HarmonicSolver::paint(std::span<const Index> painted, const Eigen::Ref<con
     check_values(painted, repeats, values);
     check_source(base_.vertices, source);
     if (std::ranges::equal(painted, painted_) && same(source, source_) && same(values, values_)) return unchanged();
-    repeats_ = std::move(repeats);
-    repaint(painted);
-    values_.resize(0, 0); // until it is solved
+    values_.resize(0, 0); // until all is done, the last painting is none to compare with
+    repaint(painted, std::move(repeats));
     last_ = compute(values, source, last_.values);
-    values_ = values;
     source_.assign(source.begin(), source.end());
+    values_ = values;
+    base_.connectivity_seconds = base_.laplacian_seconds = base_.analysis_seconds = 0; // once per mesh
     return last_;
   });
 }
@@ -149,13 +174,14 @@ Field HarmonicSolver::unchanged() {
   SolveReport& report = last_.report;
   report.update = Update::nothing;
   report.repeated = report.injection_seconds = report.factor_seconds = report.solve_seconds = 0;
+  report.connectivity_seconds = report.laplacian_seconds = report.analysis_seconds = 0;
   return last_;
 }
 
 Field HarmonicSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& values, std::span<const double> source) const {
   const std::shared_lock lock(mutex_);
   return with_memory(base_.vertices, [&] {
-    if (painted_.empty()) throw InputError("no vertex is painted, so the field has no values to start from");
+    if (painted_.empty()) throw InputError("no vertex is painted yet, or the last painting failed");
     check_values(painted_, repeats_, values);
     check_source(base_.vertices, source);
     return compute(values, source, {});
@@ -189,8 +215,10 @@ Field HarmonicSolver::compute(const Eigen::Ref<const Eigen::MatrixXd>& values, s
   std::vector<int> exponents;
   for (const auto column : values.colwise()) exponents.push_back(scale_of(column, source));
 
-  const Block rhs = inject_right_hand_side(solver_->matrix(), rows_->fixed(), prescribe(values, source, exponents));
-  Block x = rhs;
+  Block rhs = inject_right_hand_side(solver_->matrix(), rows_->fixed(), prescribe(values, source, exponents));
+  const std::vector<int> more = scale_free_rows(rows_->fixed(), rhs);
+  std::ranges::transform(exponents, more, exponents.begin(), std::plus<>{});
+  Block x = Block::Zero(rhs.rows(), rhs.cols());
   if (report.method == Method::multigrid && guess.rows() == x.rows() && guess.cols() == x.cols())
     start_from(guess, exponents, x);
   report.iterations = solver_->solve(rhs, x);
@@ -216,6 +244,8 @@ Field HarmonicSolver::compute(const Eigen::Ref<const Eigen::MatrixXd>& values, s
     }
     hand_out(column, field.values.col(k), report);
   }
+  if (!std::isfinite(report.minimum) || !std::isfinite(report.maximum))
+    throw SolverError("the source lifts the field beyond the largest number");
   report.solve_seconds = watch.seconds();
   return field;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "dirichlet/error.h"
 #include "index.h"
@@ -56,9 +58,11 @@ void check_values(std::span<const Index> painted, const std::vector<std::array<I
   for (Eigen::Index column = 0; column < values.cols(); ++column)
     check_finite({values.col(column).data(), painted.size()}, "the painted value", "place");
   for (const auto& [again, first] : repeats)
-    if (values.row(again) != values.row(first))
-      throw InputError(message("vertex ", painted[at(again)], " is painted with ", values(first, 0), " (at place ",
-                               first, ") and with ", values(again, 0), " (at place ", again, ")"));
+    for (Eigen::Index column = 0; column < values.cols(); ++column)
+      if (values(again, column) != values(first, column))
+        throw InputError(message("vertex ", painted[at(again)], " is painted with ", values(first, column),
+                                 " (at place ", first, ") and with ", values(again, column), " (at place ", again,
+                                 ")"));
 }
 
 void check_source(Index vertex_count, std::span<const double> source) {

@@ -12,7 +12,7 @@
 namespace dirichlet {
 
 /// What a caller paints is checked here, once, before anything changes. Each throws an InputError that names what and
-/// where: the first offender, and how many more there are.
+/// where: the first offender, and where they can be many, how many more there are.
 
 /// At least one vertex, each in [0, vertex_count).
 void check_painted(Index vertex_count, std::span<const Index> painted);

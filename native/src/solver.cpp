@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dirichlet/solver.h"
 
+#include <utility>
+
 #include "dirichlet/error.h"
 #include "memory.h"
 #include "message.h"
@@ -27,7 +29,7 @@ std::unique_ptr<Solver> choose_solver(SparseMatrix&& K, const SolverOptions& opt
   const Analysis analysis = analyse_pattern(K);
   if (options.method == Method::automatic &&
       direct_solver_bytes(*analysis.symbolic, K.nonZeros(), options.precision) > budget)
-    return make_multigrid_solver(std::move(K), options);
+    return make_multigrid_solver(std::move(K), options, analysis.seconds);
   return make_direct_solver(K, analysis, budget, options);
 }
 

@@ -44,7 +44,7 @@ struct SolveReport {
   Index first_undefined = -1;      ///< the lowest of them, or -1
   double connectivity_seconds = 0; ///< wall time: the mesh's validation and connectivity
   double laplacian_seconds = 0;
-  double analysis_seconds = 0;       ///< ordering and symbolic analysis; like the two above once per mesh
+  double analysis_seconds = 0;       ///< ordering and symbolic analysis; like the two above 0 after the first `paint`
   double injection_seconds = 0;      ///< of the last change of paint
   double factor_seconds = 0;         ///< of the last change of paint
   double solve_seconds = 0;          ///< this right-hand side alone
@@ -61,7 +61,8 @@ class FixedRows;
 
 /// Laplace's (or Poisson's) equation on a mesh with values prescribed on painted vertices. Lives as long as the mesh
 /// does not change: the matrix is ordered and analysed once, then `paint` follows the brush and computes no more than
-/// what changed, and `solve` serves any values of the painting that is there. Keeps nothing of the mesh but its matrix.
+/// what changed, and `solve` serves any values of the painting that is there. Keeps nothing of the mesh but its matrix,
+/// and the field painted last.
 ///
 /// Without a source the graph Laplacian has a maximum principle, so every field lies in the range painted at the rim of
 /// its region; what rounding leaves outside is projected onto it and counted in the report.
@@ -88,7 +89,8 @@ class HarmonicSolver {
   ///                 Entries at painted vertices are not read.
   /// \throws InputError   a wrong length, a number that is not finite, one vertex with two values; names it. The last
   ///                      painting stays.
-  /// \throws SolverError  the factorisation failed, or not converged; another painting may do better
+  /// \throws SolverError  the factorisation failed: nothing is painted then; or not converged. Another painting may do
+  ///                      better.
   Field paint(std::span<const Index> painted, const Eigen::Ref<const Eigen::MatrixXd>& values,
               std::span<const double> source = {});
 
@@ -101,7 +103,8 @@ class HarmonicSolver {
   HarmonicSolver& operator=(const HarmonicSolver&) = delete;
 
  private:
-  void repaint(std::span<const Index> painted);
+  using Repeats = std::vector<std::array<Index, 2>>;
+  void repaint(std::span<const Index> painted, Repeats repeats);
   void report_painting();
   [[nodiscard]] Field unchanged();
   [[nodiscard]] Block prescribe(const Eigen::Ref<const Eigen::MatrixXd>& values, std::span<const double> source,
@@ -115,10 +118,10 @@ class HarmonicSolver {
   std::unique_ptr<Solver> solver_;
   std::vector<Index> position_; ///< (V,) the row of every vertex
   std::unique_ptr<FixedRows> rows_;
-  FreeRegions regions_;                       ///< by row
-  std::vector<Index> painted_;                ///< as given; empty while nothing is painted
-  std::vector<std::array<Index, 2>> repeats_; ///< places of painted_ that name a vertex again, and where it stood first
-  SolveReport base_;                          ///< what does not depend on the values
+  FreeRegions regions_;        ///< by row
+  std::vector<Index> painted_; ///< as given; empty while nothing is painted
+  Repeats repeats_;            ///< places of painted_ that name a vertex again, and where it stood first
+  SolveReport base_;           ///< what does not depend on the values
 
   // The last painting, to tell what changed.
   Eigen::MatrixXd values_;

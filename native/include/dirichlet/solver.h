@@ -26,10 +26,12 @@ enum class Precision : std::uint8_t {
 struct SolverOptions {
   Method method = Method::automatic;
   Precision precision = Precision::float64; ///< of the direct method's factor
-  /// Bytes that the factor and what makes strokes quick may take; nothing said: half of the machine's memory.
+  /// Bytes that the factor and what makes strokes quick should take: automatic goes by it, direct keeps no more for
+  /// strokes. Nothing said: half of the machine's memory.
   std::optional<std::int64_t> memory_budget;
   /// In (0, 1). A float32 factor and multigrid stop at ‖r‖ ≤ tolerance ‖b‖ (nothing said: 1e-10), least squares at
-  /// ‖Aᵀr‖ ≤ tolerance ‖Aᵀb‖ (nothing said: 1e-14).
+  /// ‖Aᵀr‖ ≤ tolerance ‖Aᵀb‖ (nothing said: 1e-14). Norms are over a whole column: a piece whose values are small
+  /// beside those of others is solved less exactly than they.
   std::optional<double> tolerance;
   /// Give up after so many steps. At least 1; nothing said: 20 n + 1000 for least squares, else 500.
   std::optional<Index> max_iterations;
@@ -45,8 +47,9 @@ struct SolverStatistics {
 /// One way to solve the injected system. Made once per stiffness matrix; then masks come and go, and every mask serves
 /// any number of right-hand sides.
 ///
-/// It works in a numbering of its own, in which neighbours are near each other however the matrix was numbered: row i
-/// is row order()[i] of the matrix it was made of. Masks and right-hand sides are by row.
+/// It works in a numbering of its own: row i is row order()[i] of the matrix it was made of. A direct one is in order
+/// of elimination, where neighbours are near each other however the matrix was numbered. Masks and right-hand sides are
+/// by row.
 class Solver {
  public:
   virtual ~Solver() = default;
@@ -64,13 +67,13 @@ class Solver {
   /// \param rhs  (n, k) of the injected twin: see inject_right_hand_side
   /// \param x    (n, k) a guess (an iterative method starts from it), then the solution
   /// \returns    the largest number of steps any column took; 0 for a direct method
-  /// 	hrows SolverError  not converged. May be called from several threads at once.
+  /// \throws SolverError  not converged. May be called from several threads at once.
   virtual Index solve(const Block& rhs, Block& x) const = 0;
 };
 
 /// \param K  (n, n) symmetric, positive definite on the free rows once a mask is injected; used up.
-/// 	hrows InputError   an option out of its range
-/// 	hrows SolverError  memory was denied
+/// \throws InputError   an option out of its range
+/// \throws SolverError  memory was denied
 /// Cost: direct O(n^1.5) on surfaces, memory O(n log n); multigrid O(n); least squares O(n) per step.
 std::unique_ptr<Solver> make_solver(SparseMatrix&& K, const SolverOptions& options);
 

@@ -54,8 +54,8 @@ class SolveReport:
     first_undefined: int
     """the lowest of them, or -1"""
     seconds: dict[str, float]
-    """wall time: connectivity, laplacian and analysis once per mesh; injection and factorisation of the last change of
-    paint; solve"""
+    """wall time: connectivity, laplacian and analysis, which are 0 after the first `paint`; injection and
+    factorisation of the last change of paint; solve"""
     warnings: tuple[str, ...]
 
     def summary(self) -> str:
@@ -67,9 +67,8 @@ class SolveReport:
 
     @property
     def total_seconds(self) -> float:
-        """From arrays to the field for the first painting of a mesh, else from one painting to the next."""
-        once = ("connectivity", "laplacian", "analysis") if self.update != "full" else ()
-        return sum(seconds for stage, seconds in self.seconds.items() if stage not in once)
+        """From arrays to the field for the first painting of a mesh, from one painting to the next afterwards."""
+        return sum(self.seconds.values())
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers, strings, lists and dictionaries, ready for JSON."""

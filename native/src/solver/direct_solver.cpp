@@ -2,6 +2,7 @@
 #include "solver/direct_solver.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include <Eigen/OrderingMethods>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "index.h"
 #include "solver/multigrid.h"
@@ -13,13 +14,14 @@ namespace {
 
 class MultigridSolver final : public Solver {
  public:
-  MultigridSolver(SparseMatrix&& K, const SolverOptions& options)
+  MultigridSolver(SparseMatrix&& K, const SolverOptions& options, double analysis_seconds)
       : order_(at(static_cast<Index>(K.rows()))), tolerance_(options.tolerance.value_or(1e-10)),
         max_iterations_(options.max_iterations.value_or(500)) {
     K_.swap(K); // Eigen 3.4 copies what is moved
     std::iota(order_.begin(), order_.end(), Index{0});
     statistics_.method = Method::multigrid;
     statistics_.nonzeros = K_.nonZeros();
+    statistics_.analysis_seconds = analysis_seconds;
   }
 
   [[nodiscard]] SparseView matrix() const override { return K_; }
@@ -61,8 +63,8 @@ class MultigridSolver final : public Solver {
 
 } // namespace
 
-std::unique_ptr<Solver> make_multigrid_solver(SparseMatrix&& K, const SolverOptions& options) {
-  return std::make_unique<MultigridSolver>(std::move(K), options);
+std::unique_ptr<Solver> make_multigrid_solver(SparseMatrix&& K, const SolverOptions& options, double analysis_seconds) {
+  return std::make_unique<MultigridSolver>(std::move(K), options, analysis_seconds);
 }
 
 } // namespace dirichlet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/refinement.h"
 
+#include <utility>
 #include <vector>
 
 #include "dirichlet/error.h"
@@ -43,26 +44,30 @@ Index refine(const SparseView& K, const Mask& mask, const Factor<float>& factor,
   Block r = rhs;
   for (std::size_t i = 0; i < mask.size(); ++i) (mask[i] != 0 ? r : x).row(static_cast<Eigen::Index>(i)).setZero();
 
-  const Eigen::ArrayXd goal = tolerance / 2 * free_dots(mask, rhs, rhs).sqrt(); // r drifts a little from rhs − A x
-  Eigen::ArrayXd norm = free_dots(mask, r, r).sqrt();
+  const Eigen::ArrayXd goal = tolerance * free_dots(mask, rhs, rhs).sqrt();
+  Eigen::ArrayXd norm = goal / tolerance, rz = Eigen::ArrayXd::Zero(r.cols());
   Block z(r.rows(), r.cols()), p, q;
   std::vector<float> work;
-  Eigen::ArrayXd rz = Eigen::ArrayXd::Zero(r.cols());
+  bool restart = true;
   for (Index step = 0;; ++step) {
-    if ((norm <= goal).all()) return step;
+    if ((norm <= goal / 2).all()) { // r is only what rhs − A x would be without rounding
+      multiply_twin(K, mask, x, r);
+      r = rhs - r;
+      norm = free_dots(mask, r, r).sqrt();
+      if ((norm <= goal).all()) return step;
+      restart = true;
+    }
     if (step == max_iterations)
       throw SolverError(message("refinement of the float32 factor stopped at the relative residual ",
-                                (norm / goal).maxCoeff() * tolerance / 2, " after ", step,
+                                (norm / goal).maxCoeff() * tolerance, " after ", step,
                                 " steps, short of the tolerance ", tolerance));
     precondition(factor, r, norm, work, z);
     const Eigen::ArrayXd last = rz;
-    rz = (norm <= goal).select(0, free_dots(mask, r, z));
-    if (step == 0) {
-      p = z;
-    } else {
-      add_columns(p, quotient(rz, last), z);
-      std::swap(p, z);
-    }
+    rz = (norm <= goal / 2).select(0, free_dots(mask, r, z));
+    if (!restart) add_columns(p, quotient(rz, last), z);
+    std::swap(p, z);
+    z.resize(p.rows(), p.cols());
+    restart = false;
     multiply_twin(K, mask, p, q);
     const Eigen::ArrayXd length = quotient(rz, free_dots(mask, p, q));
     add_columns(p, length, x);

@@ -40,21 +40,45 @@ struct VectorOf<Real, 1> {
 };
 
 #if defined(__FMA__)
-DIRICHLET_INLINE float fused(float v, float x, float y) { return __builtin_fmaf(-x, y, v); }
-DIRICHLET_INLINE double fused(double v, double x, double y) { return __builtin_fma(-x, y, v); }
-DIRICHLET_INLINE __m128 fused(__m128 v, __m128 x, __m128 y) { return _mm_fnmadd_ps(x, y, v); }
-DIRICHLET_INLINE __m128d fused(__m128d v, __m128d x, __m128d y) { return _mm_fnmadd_pd(x, y, v); }
-DIRICHLET_INLINE __m256 fused(__m256 v, __m256 x, __m256 y) { return _mm256_fnmadd_ps(x, y, v); }
-DIRICHLET_INLINE __m256d fused(__m256d v, __m256d x, __m256d y) { return _mm256_fnmadd_pd(x, y, v); }
+DIRICHLET_INLINE float fused(float v, float x, float y) {
+  return __builtin_fmaf(-x, y, v);
+}
+DIRICHLET_INLINE double fused(double v, double x, double y) {
+  return __builtin_fma(-x, y, v);
+}
+DIRICHLET_INLINE __m128 fused(__m128 v, __m128 x, __m128 y) {
+  return _mm_fnmadd_ps(x, y, v);
+}
+DIRICHLET_INLINE __m128d fused(__m128d v, __m128d x, __m128d y) {
+  return _mm_fnmadd_pd(x, y, v);
+}
+DIRICHLET_INLINE __m256 fused(__m256 v, __m256 x, __m256 y) {
+  return _mm256_fnmadd_ps(x, y, v);
+}
+DIRICHLET_INLINE __m256d fused(__m256d v, __m256d x, __m256d y) {
+  return _mm256_fnmadd_pd(x, y, v);
+}
 #if defined(__AVX512F__)
-DIRICHLET_INLINE __m512 fused(__m512 v, __m512 x, __m512 y) { return _mm512_fnmadd_ps(x, y, v); }
-DIRICHLET_INLINE __m512d fused(__m512d v, __m512d x, __m512d y) { return _mm512_fnmadd_pd(x, y, v); }
+DIRICHLET_INLINE __m512 fused(__m512 v, __m512 x, __m512 y) {
+  return _mm512_fnmadd_ps(x, y, v);
+}
+DIRICHLET_INLINE __m512d fused(__m512d v, __m512d x, __m512d y) {
+  return _mm512_fnmadd_pd(x, y, v);
+}
 #endif
 #elif defined(__aarch64__)
-DIRICHLET_INLINE float fused(float v, float x, float y) { return __builtin_fmaf(-x, y, v); }
-DIRICHLET_INLINE double fused(double v, double x, double y) { return __builtin_fma(-x, y, v); }
-DIRICHLET_INLINE float32x4_t fused(float32x4_t v, float32x4_t x, float32x4_t y) { return vfmsq_f32(v, x, y); }
-DIRICHLET_INLINE float64x2_t fused(float64x2_t v, float64x2_t x, float64x2_t y) { return vfmsq_f64(v, x, y); }
+DIRICHLET_INLINE float fused(float v, float x, float y) {
+  return __builtin_fmaf(-x, y, v);
+}
+DIRICHLET_INLINE double fused(double v, double x, double y) {
+  return __builtin_fma(-x, y, v);
+}
+DIRICHLET_INLINE float32x4_t fused(float32x4_t v, float32x4_t x, float32x4_t y) {
+  return vfmsq_f32(v, x, y);
+}
+DIRICHLET_INLINE float64x2_t fused(float64x2_t v, float64x2_t x, float64x2_t y) {
+  return vfmsq_f64(v, x, y);
+}
 #else
 template <class V>
 DIRICHLET_INLINE V fused(V v, V x, V y) {

@@ -77,7 +77,7 @@ void forward_vector(const Real* l, Size m, Size w, Size ld, Real* x1, Real* x2) 
 /// itself.
 template <class S, int N, class Real>
 DIRICHLET_INLINE void subtract_products(typename S::Vector (&sum)[N], Tile<Scalar<Real>, 1, N>& result, Size rows,
-                                   const Real* l, Size ld, const Real* x) {
+                                        const Real* l, Size ld, const Real* x) {
   if (rows < S::kLanes) return result.subtract(x, 1, l, 1, ld, rows);
   const auto subtract = [&](Size i, const typename S::Vector& part) {
     DIRICHLET_UNROLL
