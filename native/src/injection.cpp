@@ -86,9 +86,9 @@ FreeRegions free_regions(const SparseView& K, const Mask& mask) {
   regions.label.assign(mask.size(), FreeRegions::kPainted);
   regions.count = sets.label([&](Index i) { return !painted(mask, i); }, regions.label);
   for (Index i = 0; i < n; ++i) {
-    if (painted(mask, i)) continue;
+    if (!painted(mask, i)) continue; // the rim is looked for from the painted side, which is the smaller one
     for_row(K, i, [&](Index j, double) {
-      if (painted(mask, j)) regions.rim.push_back({regions.label[static_cast<std::size_t>(i)], j});
+      if (!painted(mask, j)) regions.rim.push_back({regions.label[static_cast<std::size_t>(j)], i});
     });
   }
   return regions;
