@@ -57,7 +57,7 @@ std::vector<int> scale_free_rows(const Mask& fixed, Block& rhs) {
 }
 
 /// \param options  handed through: for a constructor that has to check before it delegates
-const SolverOptions& checked(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options) {
+SolverOptions checked(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options) {
   check_painted(mesh.vertex_count(), painted);
   return options;
 }
