@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include "index.h"
@@ -32,7 +31,7 @@ class MultigridSolver final : public Solver {
     if (mask == mask_) return 0;
     mask_.clear();      // until all is done
     multigrid_.reset(); // before the next takes its memory
-    multigrid_.emplace(K_, mask);
+    multigrid_ = std::make_unique<const Multigrid>(K_, mask);
     mask_ = mask;
     return 1;
   }
@@ -54,7 +53,7 @@ class MultigridSolver final : public Solver {
  private:
   SparseMatrix K_;
   std::vector<Index> order_;
-  std::optional<Multigrid> multigrid_;
+  std::unique_ptr<const Multigrid> multigrid_;
   Mask mask_; ///< of the hierarchy; empty if there is none
   double tolerance_;
   Index max_iterations_;
