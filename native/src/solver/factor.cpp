@@ -51,14 +51,13 @@ Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared
                      std::int64_t most_kept)
     : symbolic_(std::move(symbolic)), matrix_(std::move(matrix)), tasks_(cut<Real>(*symbolic_, most_kept)),
       kernels_(dense_kernels<Real>(best_instruction_set())),
-      panels_(std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(symbolic_->factor_size()))),
-      kept_(std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(tasks_.kept_size))) {
+      panels_(static_cast<std::size_t>(symbolic_->factor_size())), kept_(static_cast<std::size_t>(tasks_.kept_size)) {
   const SymbolicFactor& f = *symbolic_;
   const Index count = f.supernode_count();
   child_offsets_.assign(at(count) + 1, 0);
   for (Workspace& space : spaces_) {
-    space.place = std::make_unique_for_overwrite<Index[]>(at(f.size()));
-    space.stack = std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(tasks_.stack_size));
+    space.place.resize(at(f.size()));
+    space.stack.resize(static_cast<std::size_t>(tasks_.stack_size));
   }
   work_.assign(tasks_.tasks.size(), 0);
   for (Index s = 0; s < count; ++s) {
@@ -99,10 +98,10 @@ void Factor<Real>::eliminate(Index s, const Mask& fixed, Real* update, std::span
                              Workspace& space) {
   const SymbolicFactor& f = *symbolic_;
   const Index w = f.width(s), r = f.row_count(s), m = w + r, first = f.columns[at(s)];
-  Real* panel = panels_.get() + f.panel_offsets[at(s)];
+  Real* panel = panels_.data() + f.panel_offsets[at(s)];
   std::fill_n(update, UpdateLayout::size(r), Real{0});
 
-  fill_panel(s, fixed, space.place.get(), panel);
+  fill_panel(s, fixed, space.place.data(), panel);
   for (std::size_t k = 0; k < child_updates.size(); ++k) {
     const auto rows = f.rows_of(children_[at(child_offsets_[at(s)]) + k]);
     space.child_place.resize(rows.size());
@@ -132,14 +131,14 @@ void Factor<Real>::run_task(Index number, const Mask& fixed, Workspace& space) {
   const SymbolicFactor& f = *symbolic_;
   const auto& task = tasks_.tasks[at(number)];
   const auto child_count = [&](Index s) { return at(child_offsets_[at(s) + 1] - child_offsets_[at(s)]); };
-  Real* const kept = kept_.get() + task.update;
+  Real* const kept = kept_.data() + task.update;
   if (task.first == task.last) { // its children, if any, are tasks
     space.updates.clear();
     for (auto c = child_offsets_[at(task.last)]; c < child_offsets_[at(task.last) + 1]; ++c)
-      space.updates.push_back(kept_.get() + tasks_.tasks[at(tasks_.owner[at(children_[at(c)])])].update);
+      space.updates.push_back(kept_.data() + tasks_.tasks[at(tasks_.owner[at(children_[at(c)])])].update);
     return eliminate(task.last, fixed, kept, space.updates, space);
   }
-  Real* top = space.stack.get();
+  Real* top = space.stack.data();
   space.updates.clear();
   for (Index s = task.first; s <= task.last; ++s) {
     const std::size_t count = child_count(s);
@@ -213,7 +212,7 @@ void Factor<Real>::forward(Index begin, Index end, Real* x, Real* shared, Index 
     Real* const own = x + std::int64_t{f.columns[at(s)]} * k;
     if (std::all_of(own, own + std::int64_t{w} * k, [](Real value) { return value == 0; })) continue; // as is most of x
     below.assign(at(m - w) * at(k), Real{0});
-    kernels_.forward(panels_.get() + f.panel_offsets[at(s)], m, w, m, own, below.data(), k);
+    kernels_.forward(panels_.data() + f.panel_offsets[at(s)], m, w, m, own, below.data(), k);
     const Real* from = below.data();
     for (const Index row : f.rows_of(s)) {
       Real* to = row < shared_begin ? x + std::int64_t{row} * k : shared + std::int64_t{row - shared_begin} * k;
@@ -231,7 +230,7 @@ void Factor<Real>::backward(Index begin, Index end, Real* x, Index k) const {
     below.resize(at(m - w) * at(k));
     Real* to = below.data();
     for (const Index row : f.rows_of(s)) to = std::copy_n(x + std::int64_t{row} * k, k, to);
-    kernels_.backward(panels_.get() + f.panel_offsets[at(s)], m, w, m, x + std::int64_t{f.columns[at(s)]} * k,
+    kernels_.backward(panels_.data() + f.panel_offsets[at(s)], m, w, m, x + std::int64_t{f.columns[at(s)]} * k,
                       below.data(), k);
   }
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "buffer.h"
 #include "dirichlet/injection.h"
 #include "solver/dense_kernels.h"
 #include "solver/elimination_tasks.h"
@@ -52,8 +53,8 @@ class Factor {
  private:
   /// What a thread needs of its own.
   struct Workspace {
-    std::unique_ptr<Index[]> place;   ///< (n,) of every row of the front in work: its place there
-    std::unique_ptr<Real[]> stack;    ///< update matrices inside a subtree
+    Buffer<Index> place;              ///< (n,) of every row of the front in work: its place there
+    Buffer<Real> stack;               ///< update matrices inside a subtree
     std::vector<Index> child_place;   ///< of the rows of one of its children
     std::vector<const Real*> updates; ///< of the supernodes whose parent is still to come, in their order
     Team* team = nullptr;             ///< that may share a front
@@ -74,8 +75,8 @@ class Factor {
   std::vector<Index> children_;      ///< supernodes, by parent
   std::vector<double> work_;         ///< (tasks,) floating-point operations
   const DenseKernels<Real>& kernels_;
-  std::unique_ptr<Real[]> panels_; ///< the factor
-  std::unique_ptr<Real[]> kept_;   ///< update matrices of tasks
+  Buffer<Real> panels_; ///< the factor
+  Buffer<Real> kept_;   ///< update matrices of tasks
   std::array<Workspace, 2> spaces_;
 };
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "buffer.h"
 #include "dirichlet/laplacian.h"
 #include "solver/symbolic.h"
 
@@ -17,14 +18,14 @@ namespace dirichlet {
 struct OrderedPattern {
   std::vector<Index> offsets; ///< (n + 1,) row i has the entries offsets[i] … offsets[i + 1)
   std::vector<Index> upper;   ///< (n,) its first entry on or right of the diagonal
-  std::vector<Index> columns;
+  Buffer<Index> columns;
 
   [[nodiscard]] Index size() const { return static_cast<Index>(upper.size()); }
 };
 
 /// A symmetric matrix renumbered likewise.
 struct OrderedMatrix : OrderedPattern {
-  std::vector<double> values; ///< beside the columns
+  Buffer<double> values; ///< beside the columns
 };
 
 /// \param order  a permutation of the vertices, \param position  its inverse. Cost: O(entries), on all threads.
