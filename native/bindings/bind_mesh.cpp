@@ -53,8 +53,8 @@ void bind_mesh(py::module_& module) {
       .def_property_readonly("positions", array_of([](const Mesh& mesh) { return mesh.positions(); }, 3))
       .def_property_readonly("offsets", array_of([](const Mesh& mesh) { return mesh.offsets(); }, 1))
       .def_property_readonly("corners", array_of([](const Mesh& mesh) { return mesh.corners(); }, 1))
-      .def_property_readonly("edges",
-                             array_of([](const Mesh& mesh) { return std::span(mesh.connectivity().edges); }, 2))
+      .def_property_readonly(
+          "edges", array_of([](const Mesh& mesh) { return std::span<const Index>(mesh.connectivity().edges); }, 2))
       .def_property_readonly("triangles", &triangles)
       .def("components",
            [](const Mesh& mesh) {

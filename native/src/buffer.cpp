@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "buffer.h"
+#include "dirichlet/buffer.h"
 
 #if defined(__linux__)
 #include <cstdint>

@@ -4,108 +4,128 @@
 #include <algorithm>
 #include <numeric>
 
+#include "index.h"
 #include "parallel.h"
 
 namespace dirichlet {
 namespace {
 
-struct HalfEdge {
-  Index to;     ///< the larger vertex
-  Index corner; ///< where it starts
+/// A half-edge as one number: the larger vertex above, the corner where it starts below. Sorted, those of one edge are
+/// neighbours, in ascending order of corners.
+using HalfEdge = std::uint64_t;
+
+HalfEdge half_edge(Index larger, Index corner) {
+  return static_cast<HalfEdge>(larger) << 32 | static_cast<std::uint32_t>(corner);
+}
+Index larger_vertex(HalfEdge h) {
+  return static_cast<Index>(h >> 32);
+}
+Index corner(HalfEdge h) {
+  return static_cast<Index>(h & 0xFFFF'FFFF);
+}
+
+/// The half-edges by their smaller vertex: those of v are half_edges[starts[v]] … half_edges[starts[v + 1]).
+struct Buckets {
+  Buffer<Index> starts; ///< (V + 1,)
+  Buffer<HalfEdge> half_edges;
 };
 
 /// Calls visit(corner, from, to) for every half-edge, in ascending order of corners.
 template <class Visit>
 void for_each_half_edge(std::span<const Index> offsets, std::span<const Index> corners, Visit visit) {
   for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
-    const Index begin = offsets[f], end = offsets[f + 1];
-    for (Index c = begin; c + 1 < end; ++c)
-      visit(c, corners[static_cast<std::size_t>(c)], corners[static_cast<std::size_t>(c) + 1]);
-    visit(end - 1, corners[static_cast<std::size_t>(end) - 1], corners[static_cast<std::size_t>(begin)]);
+    const Index begin = offsets[f], last = offsets[f + 1] - 1;
+    for (Index c = begin; c < last; ++c) visit(c, corners[at(c)], corners[at(c) + 1]);
+    visit(last, corners[at(last)], corners[at(begin)]);
   }
 }
 
-/// Stable; most vertices have a handful of edges, the hub of a fan may have a million.
-void sort_by_target(std::span<HalfEdge> bucket) {
+/// A counting sort.
+Buckets fill_buckets(Index vertex_count, std::span<const Index> offsets, std::span<const Index> corners) {
+  Buckets buckets;
+  Buffer<Index>& next = buckets.starts; // one place ahead until the end: bucket v is filled up to next[v + 1]
+  next.assign(at(vertex_count) + 2, 0);
+  for_each_half_edge(offsets, corners, [&](Index, Index a, Index b) { ++next[at(std::min(a, b)) + 2]; });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  buckets.half_edges.resize(corners.size());
+  for_each_half_edge(offsets, corners, [&](Index c, Index a, Index b) {
+    buckets.half_edges[at(next[at(std::min(a, b)) + 1]++)] = half_edge(std::max(a, b), c);
+  });
+  next.pop_back();
+  return buckets;
+}
+
+/// Most vertices have a handful, and a branch in their sorting would be mispredicted every other time; the hub of a fan
+/// may have a million.
+void sort_bucket(std::span<HalfEdge> bucket) {
   constexpr std::size_t kInsertion = 24;
-  const auto before = [](const HalfEdge& a, const HalfEdge& b) {
-    return a.to != b.to ? a.to < b.to : a.corner < b.corner;
-  };
   if (bucket.size() > kInsertion) {
-    std::sort(bucket.begin(), bucket.end(), before);
+    std::sort(bucket.begin(), bucket.end());
     return;
   }
   for (std::size_t i = 1; i < bucket.size(); ++i) {
-    const HalfEdge moved = bucket[i];
-    std::size_t j = i;
-    for (; j > 0 && bucket[j - 1].to > moved.to; --j) bucket[j] = bucket[j - 1];
-    bucket[j] = moved;
+    HalfEdge inserted = bucket[i];
+    for (std::size_t j = i; j-- > 0;) {
+      const HalfEdge other = bucket[j];
+      const bool before = inserted < other;
+      bucket[j + 1] = before ? other : inserted;
+      inserted = before ? inserted : other;
+    }
+    bucket[0] = inserted;
   }
 }
 
-/// The half-edges that share edge `edge`, at `first` … `last` of the sorted ones, learn of it and of each other.
-void link(std::span<const HalfEdge> sorted, std::size_t first, std::size_t last, Index edge, Connectivity& out) {
-  for (std::size_t i = first; i < last; ++i) {
-    const auto corner = static_cast<std::size_t>(sorted[i].corner);
-    out.edge_corners[i] = sorted[i].corner;
-    out.corner_edges[corner] = edge;
-    const std::size_t count = last - first;
-    out.opposite[corner] = count == 1   ? Connectivity::kBorder
-                           : count == 2 ? sorted[first + last - 1 - i].corner
-                                        : Connectivity::kNonManifold;
+/// Calls visit(smaller vertex, its half-edges to one larger vertex) for every edge of the vertices [begin, end),
+/// sorted.
+template <class Visit>
+void for_each_edge(const Buckets& buckets, std::size_t begin, std::size_t end, Visit visit) {
+  const std::span<const HalfEdge> half_edges = buckets.half_edges;
+  for (std::size_t v = begin; v < end; ++v) {
+    const std::size_t stop = at(buckets.starts[v + 1]);
+    for (std::size_t i = at(buckets.starts[v]), j = i; i < stop; i = j) {
+      while (j < stop && larger_vertex(half_edges[j]) == larger_vertex(half_edges[i])) ++j;
+      visit(static_cast<Index>(v), half_edges.subspan(i, j - i));
+    }
   }
+}
+
+/// The half-edges of one edge learn of each other.
+void link(std::span<const HalfEdge> edge, Buffer<Index>& opposite) {
+  if (edge.size() == 2) {
+    opposite[at(corner(edge[0]))] = corner(edge[1]);
+    opposite[at(corner(edge[1]))] = corner(edge[0]);
+    return;
+  }
+  for (const HalfEdge h : edge)
+    opposite[at(corner(h))] = edge.size() == 1 ? Connectivity::kBorder : Connectivity::kNonManifold;
 }
 
 } // namespace
 
 Connectivity build_connectivity(Index vertex_count, std::span<const Index> offsets, std::span<const Index> corners) {
-  const auto n = static_cast<std::size_t>(vertex_count);
-  std::vector<Index> bucket(n + 1, 0); // where the half-edges of a smaller vertex start
-  for_each_half_edge(offsets, corners,
-                     [&](Index, Index a, Index b) { ++bucket[static_cast<std::size_t>(std::min(a, b)) + 1]; });
-  std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
-
-  std::vector<HalfEdge> sorted(corners.size());
-  std::vector<Index> next(bucket.begin(), bucket.end() - 1);
-  for_each_half_edge(offsets, corners, [&](Index c, Index a, Index b) {
-    sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(std::min(a, b))]++)] = {std::max(a, b), c};
+  Buckets buckets = fill_buckets(vertex_count, offsets, corners);
+  constexpr std::size_t kGrain = 1 << 13;
+  Buffer<Index> first_edge(at(vertex_count) +
+                           1); // how many edges have a vertex as their smaller one; then where they start
+  parallel_chunks(at(vertex_count), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      sort_bucket({buckets.half_edges.data() + buckets.starts[v], buckets.half_edges.data() + buckets.starts[v + 1]});
+    std::fill(first_edge.data() + begin, first_edge.data() + end, 0);
+    for_each_edge(buckets, begin, end, [&](Index v, std::span<const HalfEdge>) { ++first_edge[at(v)]; });
   });
-
-  constexpr std::size_t kGrain = 1 << 15;
-  std::vector<Index>& first_edge = next; // reused: the number of edges of a smaller vertex, then where they start
-  first_edge.resize(n + 1);
-  parallel_chunks(n, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const std::span<HalfEdge> mine(sorted.data() + bucket[v], sorted.data() + bucket[v + 1]);
-      sort_by_target(mine);
-      Index count = 0;
-      for (std::size_t i = 0; i < mine.size(); ++i) count += i == 0 || mine[i].to != mine[i - 1].to;
-      first_edge[v] = count;
-    }
-  });
-  first_edge[n] = 0;
+  first_edge.back() = 0;
   std::exclusive_scan(first_edge.begin(), first_edge.end(), first_edge.begin(), Index{0});
 
   Connectivity out;
-  const auto edge_count = static_cast<std::size_t>(first_edge[n]);
-  out.edges.resize(2 * edge_count);
-  out.edge_offsets.resize(edge_count + 1);
-  out.edge_offsets[edge_count] = static_cast<Index>(corners.size());
-  out.edge_corners.resize(corners.size());
-  out.corner_edges.resize(corners.size());
+  out.edges.resize(2 * at(first_edge.back()));
   out.opposite.resize(corners.size());
-  parallel_chunks(n, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      auto edge = static_cast<std::size_t>(first_edge[v]);
-      const auto stop = static_cast<std::size_t>(bucket[v + 1]);
-      for (auto i = static_cast<std::size_t>(bucket[v]), j = i; i < stop; i = j, ++edge) {
-        while (j < stop && sorted[j].to == sorted[i].to) ++j;
-        out.edges[2 * edge] = static_cast<Index>(v);
-        out.edges[2 * edge + 1] = sorted[i].to;
-        out.edge_offsets[edge] = static_cast<Index>(i);
-        link(sorted, i, j, static_cast<Index>(edge), out);
-      }
-    }
+  parallel_chunks(at(vertex_count), kGrain, [&](std::size_t begin, std::size_t end) {
+    Index* ends = out.edges.data() + 2 * at(first_edge[begin]);
+    for_each_edge(buckets, begin, end, [&](Index v, std::span<const HalfEdge> edge) {
+      *ends++ = v;
+      *ends++ = larger_vertex(edge[0]);
+      link(edge, out.opposite);
+    });
   });
   return out;
 }

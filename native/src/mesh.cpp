@@ -9,6 +9,7 @@
 #include "connectivity.h"
 #include "dirichlet/error.h"
 #include "dirichlet/triangulation.h"
+#include "index.h"
 #include "message.h"
 #include "stopwatch.h"
 #include "union_find.h"
@@ -21,14 +22,22 @@ constexpr double kLargestCoordinate = 1e150;
 /// Corners and matrix entries are counted in 32 bits; a corner makes at most two entries.
 constexpr std::size_t kMostCorners = std::numeric_limits<Index>::max() / 4;
 
+/// std::any_of for what is almost never so: without a way out the loop goes over many values at once.
+template <class Values, class Predicate>
+bool any(const Values& values, Predicate predicate) {
+  int found = 0;
+  for (const auto value : values) found |= static_cast<int>(predicate(value));
+  return found != 0;
+}
+
 void check_positions(std::span<const double> positions) {
   if (positions.size() % 3 != 0)
     throw InputError(message("positions have ", positions.size(), " numbers, which is not a multiple of 3"));
   if (positions.size() / 3 > kMostCorners)
     throw InputError(message("a mesh has at most ", kMostCorners, " vertices, not ", positions.size() / 3));
   const auto bad = [](double x) { return !(std::abs(x) <= kLargestCoordinate); };
+  if (!any(positions, bad)) return;
   const auto first = std::find_if(positions.begin(), positions.end(), bad);
-  if (first == positions.end()) return;
   const auto count = std::count_if(first, positions.end(), bad);
   throw InputError(message("vertex ", (first - positions.begin()) / 3, " has the coordinate ", *first,
                            ", which is not finite or beyond 1e150", and_more(count - 1, "coordinate")));
@@ -48,42 +57,67 @@ void check_offsets(std::span<const Index> offsets, std::size_t corner_count) {
 }
 
 void check_corner_range(std::span<const Index> offsets, std::span<const Index> corners, Index vertex_count) {
-  const auto bad = [=](Index v) { return v < 0 || v >= vertex_count; };
+  const auto bad = [=](Index v) { return (v < 0) | (v >= vertex_count); }; // NOLINT(hicpp-signed-bitwise)
+  if (!any(corners, bad)) return;
   const auto first = std::find_if(corners.begin(), corners.end(), bad);
-  if (first == corners.end()) return;
   const auto place = static_cast<Index>(first - corners.begin());
   const auto face = std::upper_bound(offsets.begin(), offsets.end(), place) - offsets.begin() - 1;
   throw InputError(message("face ", face, " names vertex ", *first, ", but the vertices are 0 to ", vertex_count - 1,
                            and_more(std::count_if(first, corners.end(), bad) - 1, "corner")));
 }
 
-/// Copies faces corner by corner, leaves out direct repeats, and refuses what is then not a polygon.
-class FaceCopier {
- public:
-  explicit FaceCopier(Index vertex_count) : last_face_(static_cast<std::size_t>(vertex_count), -1) {}
+bool are_triangles(std::span<const Index> offsets) {
+  int others = 0;
+  for (std::size_t f = 0; f + 1 < offsets.size(); ++f) others |= offsets[f + 1] - offsets[f] - 3;
+  return others == 0;
+}
 
-  void copy(Index face, std::span<const Index> in, std::vector<Index>& out) {
-    if (in.size() == 3 && in[0] != in[1] && in[1] != in[2] && in[2] != in[0]) { // most faces there are
-      out.insert(out.end(), in.begin(), in.end());
-      return;
+bool are_proper_triangles(std::span<const Index> corners) {
+  int repeats = 0;
+  for (std::size_t c = 0; c < corners.size(); c += 3) {
+    const Index i = corners[c], j = corners[c + 1], k = corners[c + 2];
+    repeats |= static_cast<int>(i == j) | static_cast<int>(j == k) | static_cast<int>(k == i);
+  }
+  return repeats == 0;
+}
+
+/// Leaves out direct repeats, in place, and refuses what is then not a polygon.
+class FaceCleaner {
+ public:
+  explicit FaceCleaner(Index vertex_count) : last_face_(at(vertex_count), -1) {}
+
+  void clean(Buffer<Index>& offsets, Buffer<Index>& corners) {
+    Index* to = corners.data();
+    std::size_t begin = 0;
+    for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
+      const std::size_t end = at(offsets[f + 1]);
+      offsets[f] = static_cast<Index>(to - corners.data());
+      to = move(static_cast<Index>(f), {corners.data() + begin, end - begin}, to);
+      begin = end;
     }
-    const std::size_t begin = out.size();
-    for (const Index v : in)
-      if (out.size() == begin || out.back() != v) out.push_back(v);
-    while (out.size() > begin + 1 && out.back() == out[begin]) out.pop_back();
-    if (out.size() < begin + 3)
-      throw TopologyError(message("face ", face, " has fewer than three different vertices", naming(in)));
-    for (std::size_t i = begin; i < out.size(); ++i) {
-      Index& last = last_face_[static_cast<std::size_t>(out[i])];
-      if (last == face) throw TopologyError(message("face ", face, " names vertex ", out[i], " twice"));
-      last = face;
-    }
+    offsets.back() = static_cast<Index>(to - corners.data());
+    corners.resize(at(offsets.back()));
   }
 
  private:
-  static std::string naming(std::span<const Index> corners) {
-    return corners.empty() ? ": it has no corners" : message(": it begins with vertex ", corners.front());
+  /// Moves a face to `to`, at or before its place. \returns where it then ends.
+  Index* move(Index face, std::span<const Index> in, Index* to) {
+    const Index front = in.empty() ? -1 : in.front();
+    Index* end = to;
+    for (const Index v : in)
+      if (end == to || end[-1] != v) *end++ = v;
+    while (end > to + 1 && end[-1] == *to) --end;
+    if (end < to + 3)
+      throw TopologyError(message("face ", face, " has fewer than three different vertices: it ",
+                                  front < 0 ? "has no corners" : message("begins with vertex ", front)));
+    for (const Index* v = to; v != end; ++v) {
+      Index& last = last_face_[at(*v)];
+      if (last == face) throw TopologyError(message("face ", face, " names vertex ", *v, " twice"));
+      last = face;
+    }
+    return end;
   }
+
   std::vector<Index> last_face_; ///< the face that named a vertex last
 };
 
@@ -91,7 +125,7 @@ class FaceCopier {
 
 Mesh::Mesh(SharedArray<double> positions, std::span<const Index> offsets, std::span<const Index> corners)
     : positions_(std::move(positions)) {
-  build(offsets, corners);
+  build({offsets.begin(), offsets.end()}, corners);
 }
 
 Mesh::Mesh(SharedArray<double> positions, std::span<const Index> corners, Index corners_per_face)
@@ -100,28 +134,24 @@ Mesh::Mesh(SharedArray<double> positions, std::span<const Index> corners, Index 
     throw InputError(message(corners.size(), " corners do not make faces of ", corners_per_face));
   if (corners.size() > kMostCorners)
     throw InputError(message("a mesh has at most ", kMostCorners, " corners, not ", corners.size()));
-  std::vector<Index> offsets(corners.size() / static_cast<std::size_t>(corners_per_face) + 1);
+  Buffer<Index> offsets(corners.size() / at(corners_per_face) + 1);
   for (std::size_t f = 0; f < offsets.size(); ++f) offsets[f] = static_cast<Index>(f) * corners_per_face;
-  build(offsets, corners);
+  build(std::move(offsets), corners);
 }
 
-void Mesh::build(std::span<const Index> offsets, std::span<const Index> corners) {
+void Mesh::build(Buffer<Index> offsets, std::span<const Index> corners) {
   const Stopwatch watch;
   check_positions(positions_.view());
   check_offsets(offsets, corners.size());
   check_corner_range(offsets, corners, vertex_count());
 
-  offsets_.reserve(offsets.size());
-  corners_.reserve(corners.size());
-  offsets_.push_back(0);
-  FaceCopier copier(vertex_count());
-  for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
-    const auto begin = static_cast<std::size_t>(offsets[f]), end = static_cast<std::size_t>(offsets[f + 1]);
-    copier.copy(static_cast<Index>(f), corners.subspan(begin, end - begin), corners_);
-    offsets_.push_back(static_cast<Index>(corners_.size()));
+  offsets_ = std::move(offsets);
+  corners_.assign(corners.begin(), corners.end());
+  triangular_ = are_triangles(offsets_);
+  if (!triangular_ || !are_proper_triangles(corners_)) {
+    FaceCleaner(vertex_count()).clean(offsets_, corners_);
+    triangular_ = are_triangles(offsets_);
   }
-  triangular_ = true;
-  for (std::size_t f = 0; f + 1 < offsets_.size() && triangular_; ++f) triangular_ = offsets_[f + 1] - offsets_[f] == 3;
   connectivity_ = build_connectivity(vertex_count(), offsets_, corners_);
   build_seconds_ = watch.seconds();
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dirichlet/array.h"
+#include "dirichlet/buffer.h"
 
 namespace dirichlet {
 
@@ -17,11 +18,8 @@ struct Connectivity {
   static constexpr Index kBorder = -1;      ///< opposite: the edge has no other face
   static constexpr Index kNonManifold = -2; ///< opposite: the edge has three or more half-edges
 
-  std::vector<Index> edges;        ///< (E, 2) vertices, smaller first; edges sorted by (first, second)
-  std::vector<Index> corner_edges; ///< (C,) the edge from this corner to the next
-  std::vector<Index> edge_offsets; ///< (E + 1,) where an edge's half-edges start in edge_corners
-  std::vector<Index> edge_corners; ///< (C,) the half-edges of every edge, ascending within one edge
-  std::vector<Index> opposite;     ///< (C,) the edge's other half-edge, of either direction; or kBorder, kNonManifold
+  Buffer<Index> edges;    ///< (E, 2) vertices, smaller first; edges sorted by (first, second)
+  Buffer<Index> opposite; ///< (C,) the edge's other half-edge, of either direction; or kBorder, kNonManifold
 };
 
 /// Connected pieces: (V,) piece of every vertex, pieces numbered by their lowest vertex. An isolated vertex is a piece.
@@ -78,11 +76,11 @@ class Mesh {
   [[nodiscard]] double build_seconds() const { return build_seconds_; } ///< wall time of validation and connectivity
 
  private:
-  void build(std::span<const Index> offsets, std::span<const Index> corners);
+  void build(Buffer<Index> offsets, std::span<const Index> corners);
 
   SharedArray<double> positions_;
-  std::vector<Index> offsets_;
-  std::vector<Index> corners_;
+  Buffer<Index> offsets_;
+  Buffer<Index> corners_;
   Connectivity connectivity_;
   bool triangular_ = false;
   double build_seconds_ = 0;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "buffer.h"
+#include "dirichlet/buffer.h"
 #include "dirichlet/injection.h"
 #include "solver/dense_kernels.h"
 #include "solver/elimination_tasks.h"

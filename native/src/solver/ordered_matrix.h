@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "buffer.h"
+#include "dirichlet/buffer.h"
 #include "dirichlet/laplacian.h"
 #include "solver/symbolic.h"
 
