@@ -19,10 +19,14 @@ def describe() -> dict[str, str | int | float]:
         "cores": CORES,
         "memory_gb": round(memory, 1),
         "system": platform.freedesktop_os_release().get("PRETTY_NAME", platform.system()),
-        "load_before": os.getloadavg()[0],
-        "commit": commit(),
-        "date": datetime.now(UTC).isoformat(timespec="seconds"),
+        **moment(),
     }
+
+
+def moment() -> dict[str, str | float]:
+    """What changes from run to run."""
+    date = datetime.now(UTC).isoformat(timespec="seconds")
+    return {"commit": commit(), "date": date, "load_before": os.getloadavg()[0]}
 
 
 def commit() -> str:

@@ -27,6 +27,7 @@ OURS_COLOR = "#c2185b"
 STYLES = {  # beginning of a title: colour, marker
     "ours float32": ("#f48fb1", "D"),
     "ours multigrid": ("#8e24aa", "P"),
+    "ours matrix": ("#ad1457", "*"),
     "ours": (OURS_COLOR, "o"),
     "CHOLMOD, AMD": ("#1565c0", "s"),
     "CHOLMOD, METIS": ("#64b5f6", "s"),

@@ -5,7 +5,7 @@ from collections import Counter
 from statistics import median
 from typing import Any
 
-from .figures import CLAIMS, PLAIN, Ratio, curve, ratios, slope
+from .figures import CLAIMS, GROWTHS, PLAIN, Ratio, curve, ratios, slope
 
 SOLVER_STAGES = {  # stage: heading
     "cold solve": "order, factor, solve",
@@ -22,14 +22,13 @@ GROWTH_FROM = 100_000
 
 
 def write(data: dict[str, Any]) -> str:
-    machine, effort = data["machine"], data["effort"]
+    machine = data["machine"]
     head = [
         "# Ours beside other libraries",
         "{processor}, {cores} cores, {memory_gb} GB, {system}; load {load_before:.1f} before the run.".format(
             **machine
         ),
-        f"Commit {machine['commit']}, {machine['date']}. Medians of {effort['runs']} runs, fewer where they take longer"
-        f" than {effort['seconds']:g} s together; lowest and highest in brackets.",
+        f"Commit {machine['commit']}, {machine['date']}. Medians, lowest and highest in brackets.",
         "## Ours as a share of the best peer",
         summary_table(data["scenes"]),
         "In brackets the project's own targets, for its reference machine.",
@@ -38,21 +37,29 @@ def write(data: dict[str, Any]) -> str:
     ]
     scenes = [part for scene in data["scenes"] for part in describe(scene)]
     growth = growth_table(data["scenes"])
-    tail = ["## Growth", "Time ~ n^p, fitted from 100,000 vertices on.", growth] if growth else []
+    tail = ["## Growth", GROWTH_NOTE, growth] if growth else []
     return "\n\n".join([*head, *scenes, *tail, NOTES]) + "\n"
 
+
+GROWTH_NOTE = """Ours with all cores, on the meshes that differ in size alone: time ~ n^p, fitted; by which factor it
+grows from the smallest to the largest of them, and by which it may: n log n, or n^1.5 for what factors (a stroke does,
+in part)."""
 
 NOTES = """## What is compared
 
 - Graph Laplacian, six discs of 0.5 % of the vertices painted 0 to 1; a stroke adds 0.1 % of the vertices, a dab 30.
-- *Order, factor, solve*: peers get the free vertices' matrix ready-made; ours makes its matrix within the time.
+  *cotangent*: cotangent weights as they come, negative ones too, for who takes a matrix.
+- *ours* is `HarmonicSolver`, which takes a mesh; *ours matrix* is the C++ solver below it, which takes any symmetric
+  matrix, on the same course as the direct peers.
+- *Order, factor, solve*: everybody's matrix is ready-made, of the free vertices alone but for `HarmonicSolver`.
 - *Later*, *values*, *stroke*, *dab*: peers keep their analysis too, painted vertices being identity rows of the mesh's
   pattern; a stroke is their factor and solve. Ours is `HarmonicSolver.paint`, checks of its arguments included.
 - *Arrays to field*: from positions and faces, connectivity and assembly included. libigl has cotangent weights.
 - pyamg solves to a relative residual of 1e-8. Isolines: VTK joins segments to lines as ours does, libigl does not;
   potpourri3d takes a level at a time. Lengths agree when all did the same work.
-- Memory: highest of the process over what it held before. Error: the largest, against a reference refined with
-  residuals in extended precision.
+- Memory: highest of the process over what it held before. The matrix counts: the direct peers' painted one (its lower
+  triangle), and ours, which `HarmonicSolver` makes of the mesh.
+- Error: the largest, against a reference refined with residuals in extended precision.
 - CHOLMOD: supernodal, Debian's, OpenBLAS told its processor. Waiting threads sleep rather than spin."""
 
 
@@ -111,13 +118,19 @@ def claims_table(scenes: list[dict[str, Any]]) -> str:
 
 def describe(scene: dict[str, Any]) -> list[str]:
     """All that was measured on one mesh."""
+    if "vertices" not in scene:
+        return [f"## {scene['scene']}", f"Not measured: {scene['trouble']}."]
     title = "## {scene}: {vertices:,} vertices, {faces:,} faces, {painted:,} painted".format(**scene)
+    effort = (
+        "At commit {commit}, {date}, load {load_before:.1f}; up to {runs} runs, none begun after {seconds:g} s of a"
+        " stage; stopped after {limit:g} s.".format(**scene, **scene["effort"])
+    )
     results = scene["results"]
     trouble = [f"- {result['title']}: {result['trouble']}" for result in results if result["trouble"]]
     parts = [solver_table(results), lines_table(results), strokes_said(results)]
     if trouble:
         parts.append("Not or not wholly measured:\n\n" + "\n".join(trouble))
-    return [title, *(part for part in parts if part)]
+    return [title, effort, *(part for part in parts if part)]
 
 
 def solver_table(results: list[dict[str, Any]]) -> str:
@@ -154,14 +167,19 @@ def strokes_said(results: list[dict[str, Any]]) -> str:
 
 
 def growth_table(scenes: list[dict[str, Any]]) -> str:
-    parts = {"laplacian": "Laplacian", "analysis": "order", "factorisation": "factor", "solve": "solve"}
-    stages = {**SOLVER_STAGES, **parts}
-    large = [scene for scene in scenes if scene["scene"] in PLAIN and scene["vertices"] > GROWTH_FROM]
-    titles = dict.fromkeys(result["title"] for scene in large for result in scene["results"])
-    rows = [["p", *stages.values(), *LINE_STAGES.values()]]
-    for title in titles:
-        if title.startswith("ours"):
-            slopes = [slope(curve(large, title, stage)) for stage in (*stages, *LINE_STAGES)]
-            if any(p is not None for p in slopes):
-                rows.append([title, *("–" if p is None else f"{p:.2f}" for p in slopes)])
+    """A line for each stage of ours, a column for each size; and whether it grows no faster than it may."""
+    large = [scene for scene in scenes if scene["scene"] in PLAIN and scene.get("vertices", 0) > GROWTH_FROM]
+    rows = [["ms", *(scene["scene"] for scene in large), "p", "grows by", "may by", "law", "kept"]]
+    for growth in GROWTHS:
+        title = next((r["title"] for s in large for r in s["results"] if r["title"].startswith(growth.ours)), "")
+        points = dict(curve(large, title, growth.stage))
+        if len(points) > 1:
+            times = (points.get(scene["vertices"]) for scene in large)
+            low, high = min(points), max(points)
+            by, may = points[high] / points[low], growth.allowed(low, high)
+            verdict = ["n^1.5" if growth.factors else "n log n", "yes" if by <= may else "no"]
+            sizes = ["–" if time is None else short(1000 * time) for time in times]
+            rows.append(
+                [growth.what, *sizes, f"{slope(list(points.items())):.2f}", f"{by:.3g}", f"{may:.3g}", *verdict]
+            )
     return table(rows) if len(rows) > 1 else ""

@@ -19,7 +19,7 @@ class Scene:
     faces: Indices
     """(F, 3)"""
     stiffness_offsets: Indices
-    """of the graph Laplacian D − A: its lower triangle in compressed columns"""
+    """of the graph Laplacian D − A, or of other weights: its lower triangle in compressed columns"""
     stiffness_rows: Indices
     stiffness_values: Reals
     first: Reals
@@ -31,7 +31,7 @@ class Scene:
     dab: Indices
     """(8, ·) the same, but small"""
     reference: Reals
-    """(V,) the field of the first painting, as exact as it gets; empty until it was solved"""
+    """(V,) the field of the first painting, as exact as it gets; empty where it is not solved"""
 
     @property
     def stiffness(self) -> scipy.sparse.csc_matrix:

@@ -48,8 +48,8 @@ class CholmodPeer final : public DirectPeer {
     check();
   }
 
-  void factor(const SparseMatrix& lower) override {
-    cholmod_sparse matrix = view(lower);
+  void factor(const System& system) override {
+    cholmod_sparse matrix = view(system.lower);
     cholmod_factorize(&matrix, factor_, &common_);
     check();
   }

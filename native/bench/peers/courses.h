@@ -9,7 +9,7 @@
 
 namespace peers {
 
-using MakePeer = std::function<std::unique_ptr<DirectPeer>()>;
+using MakePeer = std::function<std::unique_ptr<DirectPeer>(const SparseMatrix& lower)>; ///< the matrix to come
 
 /// Every task of the benchmark that a sparse Cholesky takes part in, on the scene of that folder; the field of the
 /// first painting goes into the file `field`.

@@ -18,10 +18,10 @@ constexpr int kRefinements = 5;
 /// Order, factor and solve the smallest system, from nothing.
 void cold(const MakePeer& make, const System& system, const Recorder& recorder) {
   recorder.repeat([&](int) {
-    const auto peer = make();
+    const auto peer = make(system.lower);
     const Times start = Times::now();
     recorder.time("order", [&] { peer->analyze(system.lower); });
-    recorder.time("factor", [&] { peer->factor(system.lower); });
+    recorder.time("factor", [&] { peer->factor(system); });
     recorder.time("solve", [&] { return peer->solve(system.rhs); });
     Recorder::record("cold solve", Times::now() - start);
   });
@@ -33,7 +33,7 @@ void later(DirectPeer& peer, const SparseMatrix& K, const std::filesystem::path&
   recorder.repeat([&](int run) {
     const System& system = paintings[static_cast<std::size_t>(run % 2)];
     const Times start = Times::now();
-    recorder.time("later factor", [&] { peer.factor(system.lower); });
+    recorder.time("later factor", [&] { peer.factor(system); });
     recorder.time("values", [&] { return peer.solve(system.rhs); });
     Recorder::record("later", Times::now() - start);
   });
@@ -47,13 +47,14 @@ void paint(DirectPeer& peer, const SparseMatrix& K, const std::filesystem::path&
   Eigen::VectorXd painting = read_painting(scene, "first");
   const auto vertices = read_indices(scene / (stage + ".npy"));
   const std::size_t length = vertices.size() / kStrokes;
+  peer.start_from(inject(K, painting));
   recorder.repeat([&](int run) {
     if (run >= kStrokes) return;
     const std::size_t first = static_cast<std::size_t>(run) * length;
     for (std::size_t i = first; i < first + length; ++i) painting[vertices[i]] = kStrokeValue;
     const System system = inject(K, painting);
     recorder.time(stage.c_str(), [&] {
-      peer.factor(system.lower);
+      peer.factor(system);
       return peer.solve(system.rhs);
     });
   });
@@ -70,11 +71,11 @@ void run_direct_course(const MakePeer& make, const std::filesystem::path& scene,
   const SparseMatrix K = read_stiffness(scene);
   const Eigen::VectorXd painting = read_painting(scene, "first");
   {
+    const Recorder::Memory memory; // the painted matrix counts, as the one that ours makes itself
     const System system = inject(K, painting);
-    const Recorder::Memory memory;
-    const auto peer = make();
-    peer->analyze(system.lower);
-    peer->factor(system.lower);
+    const auto peer = make(K);
+    peer->analyze(K);
+    peer->factor(system);
     const Eigen::VectorXd solution = peer->solve(system.rhs);
     Recorder::state("memory", memory.peak());
     write_field(field, solution);
@@ -87,9 +88,9 @@ void run_direct_course(const MakePeer& make, const std::filesystem::path& scene,
 void run_reference_course(const MakePeer& make, const std::filesystem::path& scene,
                           const std::filesystem::path& field) {
   const System system = inject(read_stiffness(scene), read_painting(scene, "first"));
-  const auto peer = make();
+  const auto peer = make(system.lower);
   peer->analyze(system.lower);
-  peer->factor(system.lower);
+  peer->factor(system);
   using Extended = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
   const auto matrix = system.lower.cast<long double>().eval();
   const Extended rhs = system.rhs.cast<long double>();

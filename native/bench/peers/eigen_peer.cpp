@@ -11,8 +11,8 @@ class EigenPeer final : public DirectPeer {
  public:
   void analyze(const SparseMatrix& lower) override { cholesky_.analyzePattern(lower); }
 
-  void factor(const SparseMatrix& lower) override {
-    cholesky_.factorize(lower);
+  void factor(const System& system) override {
+    cholesky_.factorize(system.lower);
     if (cholesky_.info() != Eigen::Success) throw std::runtime_error("Eigen finds the matrix not definite");
   }
 

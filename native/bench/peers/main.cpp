@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// dirichlet_peers PEER SCENE FIELD RUNS SECONDS: what the C++ libraries take for the tasks of the benchmark, in lines
-// of JSON. The driver is dirichlet_bench/, which also says what the files of a scene hold.
+// dirichlet_peers PEER SCENE FIELD RUNS SECONDS: what the C++ libraries, ours among them, take for the tasks of the
+// benchmark, in lines of JSON. The driver is dirichlet_bench/, which also says what the files of a scene hold.
 #include <cstdlib>
 #include <exception>
 #include <map>
@@ -13,10 +13,11 @@ namespace {
 using namespace peers;
 
 std::map<std::string, MakePeer> direct_peers() {
-  std::map<std::string, MakePeer> result{{"eigen", make_eigen_peer}};
+  std::map<std::string, MakePeer> result{{"ours", make_ours_peer},
+                                         {"eigen", [](const SparseMatrix&) { return make_eigen_peer(); }}};
 #ifdef DIRICHLET_HAS_CHOLMOD
-  result["cholmod-amd"] = [] { return make_cholmod_peer(CholmodOrdering::amd); };
-  result["cholmod-metis"] = [] { return make_cholmod_peer(CholmodOrdering::metis); };
+  result["cholmod-amd"] = [](const SparseMatrix&) { return make_cholmod_peer(CholmodOrdering::amd); };
+  result["cholmod-metis"] = [](const SparseMatrix&) { return make_cholmod_peer(CholmodOrdering::metis); };
 #endif
   return result;
 }

@@ -34,10 +34,12 @@ void Recorder::record(const char* stage, const Times& spent) {
 
 void Recorder::state(const char* fact, double value) {
   std::printf("{\"fact\": \"%s\", \"value\": %.9g}\n", fact, value);
+  std::fflush(stdout);
 }
 
 void Recorder::state(const char* fact, const std::string& value) {
   std::printf("{\"fact\": \"%s\", \"value\": \"%s\"}\n", fact, value.c_str());
+  std::fflush(stdout);
 }
 
 Recorder::Memory::Memory() : before_(status("VmRSS:")) {

@@ -28,7 +28,8 @@ System reduce(const SparseMatrix& K, const Eigen::VectorXd& prescribed) {
   for (int v = 0; v < K.cols(); ++v)
     if (std::isnan(prescribed[v])) number[static_cast<std::size_t>(v)] = free++;
   const auto place = [&](Eigen::Index v) { return number[static_cast<std::size_t>(v)]; };
-  System result{SparseMatrix(free, free), Eigen::VectorXd::Zero(free)};
+  System result{SparseMatrix(free, free), Eigen::VectorXd::Zero(free), {}};
+  result.painted.resize(static_cast<std::size_t>(free));
   result.lower.reserve(K.nonZeros());
   for (int j = 0; j < K.cols(); ++j) {
     if (place(j) >= 0) result.lower.startVec(place(j));
@@ -45,8 +46,9 @@ System reduce(const SparseMatrix& K, const Eigen::VectorXd& prescribed) {
 }
 
 System inject(const SparseMatrix& K, const Eigen::VectorXd& prescribed) {
-  System result{K, prescribed.unaryExpr([](double value) { return std::isnan(value) ? 0.0 : value; })};
+  System result{K, prescribed.unaryExpr([](double value) { return std::isnan(value) ? 0.0 : value; }), {}};
   const auto is_free = [&](Eigen::Index v) { return std::isnan(prescribed[v]); };
+  for (Eigen::Index v = 0; v < K.cols(); ++v) result.painted.push_back(is_free(v) ? 0 : 1);
   for (int j = 0; j < K.cols(); ++j)
     for (SparseMatrix::InnerIterator entry(result.lower, j); entry; ++entry) {
       const Eigen::Index i = entry.row();

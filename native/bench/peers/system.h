@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include <Eigen/SparseCore>
 
@@ -13,6 +15,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 struct System {
   SparseMatrix lower;
   Eigen::VectorXd rhs;
+  std::vector<std::uint8_t> painted; ///< 1 where a row is an identity row
 };
 
 /// The stiffness matrix that the driver wrote: lower triangle in compressed columns.

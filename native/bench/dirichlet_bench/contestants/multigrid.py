@@ -14,6 +14,7 @@ TOLERANCE = 1e-8
 
 
 def run(scene: Scene, field: Path, recorder: Recorder) -> None:
+    memory = Memory()
     upper, rhs = reduce(scene.stiffness, scene.first)
     matrix = whole(upper.T.tocsc())
     solution = scene.first.copy()
@@ -28,6 +29,5 @@ def run(scene: Scene, field: Path, recorder: Recorder) -> None:
             solution[np.isnan(scene.first)] = free
             np.save(field, solution)
 
-    memory = Memory()
     recorder.repeat(once)
     recorder.state("memory", memory.peak())

@@ -17,6 +17,8 @@ def run(scene: Scene, field: Path, recorder: Recorder) -> None:
             surface.Mesh(scene.positions, scene.faces)
 
     recorder.repeat(connect)
+    if not scene.reference.size:
+        return
     mesh = surface.Mesh(scene.positions, scene.faces)
 
     def extract(levels: Reals) -> Callable[[], float]:
