@@ -65,7 +65,7 @@ class Solver {
   virtual double inject(const Mask& mask) = 0;
 
   /// \param rhs  (n, k) of the injected twin: see inject_right_hand_side
-  /// \param x    (n, k) a guess (an iterative method starts from it), then the solution
+  /// \param x    (n, k) a guess, from which multigrid starts, or anything of another shape; then the solution
   /// \returns    the largest number of steps any column took; 0 for a direct method
   /// \throws SolverError  not converged. May be called from several threads at once.
   virtual Index solve(const Block& rhs, Block& x) const = 0;

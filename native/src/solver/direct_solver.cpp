@@ -12,6 +12,7 @@
 #include "index.h"
 #include "parallel.h"
 #include "solver/factor.h"
+#include "solver/iterative_solver.h"
 #include "solver/ordered_matrix.h"
 #include "solver/ordering.h"
 #include "solver/refinement.h"
@@ -49,8 +50,8 @@ class DirectSolver final : public Solver {
  public:
   DirectSolver(const SparseMatrix& K, const Analysis& analysis, std::int64_t most_kept, const SolverOptions& options)
       : symbolic_(analysis.symbolic), matrix_(std::make_shared<const OrderedMatrix>(order_matrix(K, *symbolic_))),
-        factor_(symbolic_, matrix_, most_kept), tolerance_(options.tolerance.value_or(1e-10)),
-        max_iterations_(options.max_iterations.value_or(500)) {
+        factor_(symbolic_, matrix_, most_kept), tolerance_(options.tolerance.value_or(kTwinTolerance)),
+        max_iterations_(options.max_iterations.value_or(kMostTwinIterations)) {
     statistics_ = {Method::direct, K.nonZeros(), symbolic_->factor_size(), analysis.seconds};
   }
 

@@ -2,41 +2,23 @@
 #include "solver/multigrid_solver.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
-#include "index.h"
+#include "solver/iterative_solver.h"
 #include "solver/multigrid.h"
 
 namespace dirichlet {
 namespace {
 
-class MultigridSolver final : public Solver {
+class MultigridSolver final : public IterativeSolver {
  public:
   MultigridSolver(SparseMatrix&& K, const SolverOptions& options, double analysis_seconds)
-      : order_(at(static_cast<Index>(K.rows()))), tolerance_(options.tolerance.value_or(1e-10)),
-        max_iterations_(options.max_iterations.value_or(500)) {
-    K_.swap(K); // Eigen 3.4 copies what is moved
-    std::iota(order_.begin(), order_.end(), Index{0});
-    statistics_.method = Method::multigrid;
-    statistics_.nonzeros = K_.nonZeros();
-    statistics_.analysis_seconds = analysis_seconds;
-  }
-
-  [[nodiscard]] SparseView matrix() const override { return K_; }
-  [[nodiscard]] std::span<const Index> order() const override { return order_; }
-  [[nodiscard]] const SolverStatistics& statistics() const override { return statistics_; }
-
-  double inject(const Mask& mask) override {
-    if (mask == mask_) return 0;
-    mask_.clear();      // until all is done
-    multigrid_.reset(); // before the next takes its memory
-    multigrid_ = std::make_unique<const Multigrid>(K_, mask);
-    mask_ = mask;
-    return 1;
-  }
+      : IterativeSolver(std::move(K), Method::multigrid, analysis_seconds),
+        tolerance_(options.tolerance.value_or(kTwinTolerance)),
+        max_iterations_(options.max_iterations.value_or(kMostTwinIterations)) {}
 
   Index solve(const Block& rhs, Block& x) const override {
+    if (x.rows() != rhs.rows() || x.cols() != rhs.cols()) x = Block::Zero(rhs.rows(), rhs.cols());
     Index iterations = 0;
     Eigen::VectorXd b, guess;
     for (Eigen::Index column = 0; column < rhs.cols(); ++column) {
@@ -51,13 +33,14 @@ class MultigridSolver final : public Solver {
   }
 
  private:
-  SparseMatrix K_;
-  std::vector<Index> order_;
-  std::unique_ptr<const Multigrid> multigrid_;
-  Mask mask_; ///< of the hierarchy; empty if there is none
+  void set_up(const Mask& mask) override {
+    multigrid_.reset(); // before the next takes its memory
+    multigrid_ = std::make_unique<const Multigrid>(stiffness(), mask);
+  }
+
+  std::unique_ptr<const Multigrid> multigrid_; ///< the hierarchy of the mask
   double tolerance_;
   Index max_iterations_;
-  SolverStatistics statistics_;
 };
 
 } // namespace

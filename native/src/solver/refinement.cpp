@@ -50,7 +50,7 @@ Index refine(const SparseView& K, const Mask& mask, const Factor<float>& factor,
   std::vector<float> work;
   bool restart = true;
   for (Index step = 0;; ++step) {
-    if ((norm <= goal / 2).all()) { // r is only what rhs − A x would be without rounding
+    if ((norm <= goal).all()) { // r is only what rhs − A x would be without rounding
       multiply_twin(K, mask, x, r);
       r = rhs - r;
       norm = free_dots(mask, r, r).sqrt();
@@ -63,7 +63,7 @@ Index refine(const SparseView& K, const Mask& mask, const Factor<float>& factor,
                                 " steps, short of the tolerance ", tolerance));
     precondition(factor, r, norm, work, z);
     const Eigen::ArrayXd last = rz;
-    rz = (norm <= goal / 2).select(0, free_dots(mask, r, z));
+    rz = (norm <= goal).select(0, free_dots(mask, r, z));
     if (!restart) add_columns(p, quotient(rz, last), z);
     std::swap(p, z);
     z.resize(p.rows(), p.cols());
