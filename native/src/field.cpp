@@ -2,29 +2,27 @@
 #include "dirichlet/field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <limits>
-#include <mutex>
+#include <optional>
 #include <utility>
 
 #include "dirichlet/error.h"
 #include "fixed_rows.h"
 #include "for_row.h"
+#include "hand_out.h"
 #include "index.h"
-#include "maximum_principle.h"
 #include "memory.h"
 #include "message.h"
 #include "painting_checks.h"
-#include "parallel.h"
+#include "region_search.h"
 #include "stopwatch.h"
 #include "twin.h"
 
 namespace dirichlet {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The power of two that brings a number to [1/2, 1); 0 for ordinary numbers, whose squares and sums are no danger.
 int scale_of(double largest) {
@@ -122,16 +120,14 @@ void HarmonicSolver::repaint(std::span<const Index> painted, Repeats repeats) {
   std::vector<Index> rows(painted.size());
   for (std::size_t c = 0; c < rows.size(); ++c) rows[c] = position_[at(painted[c])];
   painted_.clear(); // until all is done: a failure leaves nothing painted
-  rows_->paint(rows);
+  if (rows_->paint(rows) || !regions_) {
+    regions_.reset(); // before the next takes its memory
+    regions_ = std::make_unique<RegionSearch>(solver_->matrix(), rows_->fixed());
+  }
   base_.injection_seconds = watch.restart();
   base_.repeated = solver_->inject(rows_->fixed());
   base_.factor_seconds = watch.restart();
   base_.update = base_.repeated == 0 ? Update::values : base_.repeated < 1 ? Update::partial : Update::full;
-  if (base_.update != Update::values || regions_.label.empty()) {
-    regions_ = {};
-    regions_ = free_regions(solver_->matrix(), rows_->fixed());
-  }
-  base_.injection_seconds += watch.seconds();
   report_painting();
   repeats_ = std::move(repeats);
   painted_.assign(painted.begin(), painted.end());
@@ -218,68 +214,52 @@ Field HarmonicSolver::compute(const Eigen::Ref<const Eigen::MatrixXd>& values, s
   Block rhs = inject_right_hand_side(solver_->matrix(), rows_->fixed(), prescribe(values, source, exponents));
   const std::vector<int> more = scale_free_rows(rows_->fixed(), rhs);
   std::ranges::transform(exponents, more, exponents.begin(), std::plus<>{});
-  Block x = Block::Zero(rhs.rows(), rhs.cols());
-  if (report.method == Method::multigrid && guess.rows() == x.rows() && guess.cols() == x.cols())
-    start_from(guess, exponents, x);
+  Block x;
+  if (report.method == Method::multigrid && guess.rows() == rhs.rows() && guess.cols() == rhs.cols())
+    x = start_from(guess, exponents);
   report.iterations = solver_->solve(rhs, x);
-  if (!x.allFinite()) throw SolverError("the solver returned a value that is not finite");
   report.relative_residual = relative_residual(solver_->matrix(), rows_->fixed(), rhs, x);
+  if (!std::isfinite(report.relative_residual)) throw SolverError("the solver returned a value that is not finite");
+  rhs.resize(0, 0); // before the field takes its memory
+  finish(values, exponents, x);
+  std::optional<PaintedRanges> ranges;
+  if (source.empty()) ranges.emplace(regions_->result(), x);
+  const FieldRange range = hand_out(x, solver_->order(), *rows_, ranges ? &*ranges : nullptr, field.values);
+  if (!std::isfinite(range.minimum) || !std::isfinite(range.maximum))
+    throw SolverError("the source lifts the field beyond the largest number");
+  report.minimum = range.minimum;
+  report.maximum = range.maximum;
+  report.outside = range.projected.count;
+  report.farthest_outside = range.projected.farthest;
   report.painted_minimum = values.minCoeff();
   report.painted_maximum = values.maxCoeff();
-  report.minimum = kInfinity;
-  report.maximum = -kInfinity;
-  field.values.resize(x.rows(), x.cols());
+  for (const auto column : values.colwise())
+    if (source.empty() && column.minCoeff() == column.maxCoeff())
+      report.warnings.push_back(message("every painted value is ", column[0], ", so the field is constant"));
+  report.solve_seconds = watch.seconds();
+  return field;
+}
+
+/// The free rows as the last field had them: where an iteration starts.
+Block HarmonicSolver::start_from(const Eigen::MatrixXd& field, const std::vector<int>& exponents) const {
+  Block x = Block::Zero(field.rows(), field.cols());
+  for (Index row = 0; row < base_.vertices; ++row)
+    for (Eigen::Index k = 0; k < x.cols(); ++k)
+      if (const double last = field(solver_->order()[at(row)], k); rows_->fixed()[at(row)] == 0 && std::isfinite(last))
+        x(row, k) = scaled(last, -exponents[static_cast<std::size_t>(k)]);
+  return x;
+}
+
+/// A solution back in its scale, and with the painted values bit for bit.
+void HarmonicSolver::finish(const Eigen::Ref<const Eigen::MatrixXd>& values, const std::vector<int>& exponents,
+                            Block& x) const {
   for (Eigen::Index k = 0; k < x.cols(); ++k) {
     auto column = x.col(k);
     if (const int exponent = exponents[static_cast<std::size_t>(k)]; exponent != 0)
       for (double& number : column) number = std::ldexp(number, exponent);
     for (std::size_t c = 0; c < painted_.size(); ++c)
       column[position_[at(painted_[c])]] = values(static_cast<Eigen::Index>(c), k);
-    if (source.empty()) {
-      const Projection projection = project_onto_painted_range(regions_, column);
-      report.outside += projection.count;
-      report.farthest_outside = std::max(report.farthest_outside, projection.farthest);
-      if (values.col(k).minCoeff() == values.col(k).maxCoeff())
-        report.warnings.push_back(message("every painted value is ", values(0, k), ", so the field is constant"));
-    }
-    hand_out(column, field.values.col(k), report);
   }
-  if (!std::isfinite(report.minimum) || !std::isfinite(report.maximum))
-    throw SolverError("the source lifts the field beyond the largest number");
-  report.solve_seconds = watch.seconds();
-  return field;
-}
-
-/// The free rows of x as the last field had them: where an iteration starts.
-void HarmonicSolver::start_from(const Eigen::MatrixXd& field, const std::vector<int>& exponents, Block& x) const {
-  for (Index row = 0; row < base_.vertices; ++row)
-    for (Eigen::Index k = 0; k < x.cols(); ++k)
-      if (const double last = field(solver_->order()[at(row)], k); rows_->fixed()[at(row)] == 0 && std::isfinite(last))
-        x(row, k) = scaled(last, -exponents[static_cast<std::size_t>(k)]);
-}
-
-/// A finished column by row to the same by vertex, NaN where it is undefined; takes its range into the report.
-void HarmonicSolver::hand_out(const Eigen::Ref<const Eigen::VectorXd, 0, Eigen::InnerStride<>>& column,
-                              Eigen::Ref<Eigen::VectorXd> values, SolveReport& report) const {
-  const std::span<const Index> order = solver_->order();
-  const bool any_undefined = report.undefined > 0;
-  std::mutex mutex;
-  parallel_chunks(order.size(), 1 << 15, [&](std::size_t begin, std::size_t end) {
-    double low = kInfinity, high = -kInfinity;
-    for (std::size_t i = begin; i < end; ++i) {
-      double value = column[static_cast<Eigen::Index>(i)];
-      if (any_undefined && rows_->is_undefined(static_cast<Index>(i))) {
-        value = std::numeric_limits<double>::quiet_NaN();
-      } else {
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-      values[order[i]] = value;
-    }
-    const std::scoped_lock lock(mutex);
-    report.minimum = std::min(report.minimum, low);
-    report.maximum = std::max(report.maximum, high);
-  });
 }
 
 SparseMatrix dirichlet_laplacian(const Mesh& mesh, std::span<const Index> painted) {

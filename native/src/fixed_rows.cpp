@@ -12,21 +12,23 @@ FixedRows::FixedRows(const SparseView& K)
   for (const Index piece : pieces_.label) ++size_[at(piece)];
 }
 
-void FixedRows::paint(std::span<const Index> painted) {
+bool FixedRows::paint(std::span<const Index> painted) {
   Mask fixed(fixed_.size(), 0), ruled(ruled_.size(), 0);
-  painted_count_ = 0;
+  Index count = 0;
   for (const Index row : painted) {
-    painted_count_ += std::exchange(fixed[at(row)], 1) == 0 ? 1 : 0;
+    count += std::exchange(fixed[at(row)], 1) == 0 ? 1 : 0;
     ruled[at(pieces_.label[at(row)])] = 1;
   }
   ruled_.swap(ruled);
-  fixed_.swap(fixed);
+  painted_count_ = count;
 
   undefined_count_ = 0;
   for (std::size_t piece = 0; piece < ruled_.size(); ++piece) undefined_count_ += ruled_[piece] == 0 ? size_[piece] : 0;
-  if (undefined_count_ == 0) return;
-  for (Index row = 0; row < static_cast<Index>(fixed_.size()); ++row)
-    if (is_undefined(row)) fixed_[at(row)] = 1;
+  if (undefined_count_ > 0)
+    for (Index row = 0; row < static_cast<Index>(fixed.size()); ++row)
+      if (is_undefined(row)) fixed[at(row)] = 1;
+  fixed_.swap(fixed);
+  return fixed_ != fixed;
 }
 
 } // namespace dirichlet

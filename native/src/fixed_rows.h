@@ -17,7 +17,8 @@ class FixedRows {
   explicit FixedRows(const SparseView& K);
 
   /// \param painted  rows, any order, repeated at will. Cost: O(n). Changes nothing when it throws.
-  void paint(std::span<const Index> painted);
+  /// \returns  whether other rows are fixed now
+  bool paint(std::span<const Index> painted);
 
   [[nodiscard]] const Mask& fixed() const { return fixed_; } ///< (n,)
   [[nodiscard]] bool is_undefined(Index row) const { return ruled_[at(pieces_.label[at(row)])] == 0; }

@@ -2,45 +2,30 @@
 #include "maximum_principle.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
-
-#include "index.h"
-#include "parallel.h"
 
 namespace dirichlet {
 
-Projection project_onto_painted_range(const FreeRegions& regions, Column values) {
+PaintedRanges::PaintedRanges(const FreeRegions& regions, const Block& field)
+    : regions_(regions), columns_(static_cast<std::size_t>(field.cols())) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  std::vector<std::array<double, 2>> range(at(regions.count), {kInfinity, -kInfinity});
+  ranges_.assign(at(regions.count) * columns_, {kInfinity, -kInfinity});
   for (const auto& [region, row] : regions.rim) {
-    auto& [low, high] = range[at(region)];
-    low = std::min(low, values[row]);
-    high = std::max(high, values[row]);
-  }
-  Projection all;
-  std::mutex mutex;
-  parallel_chunks(regions.label.size(), 1 << 15, [&](std::size_t begin, std::size_t end) {
-    Projection mine;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Index region = regions.label[i];
-      if (region == FreeRegions::kPainted) continue;
-      const auto& [low, high] = range[at(region)];
-      if (low > high) continue;
-      double& value = values[static_cast<Eigen::Index>(i)];
-      const double inside = std::clamp(value, low, high);
-      if (inside == value) continue;
-      ++mine.count;
-      mine.farthest = std::max(mine.farthest, std::abs(value - inside));
-      value = inside;
+    auto* range = ranges_.data() + at(region) * columns_;
+    for (const double value : field.row(row)) {
+      auto& [low, high] = *range++;
+      low = std::min(low, value);
+      high = std::max(high, value);
     }
-    const std::scoped_lock lock(mutex);
-    all.count += mine.count;
-    all.farthest = std::max(all.farthest, mine.farthest);
-  });
-  return all;
+  }
+}
+
+double PaintedRanges::move(double value, double low, double high, Projection& moved) {
+  const double inside = std::clamp(value, low, high);
+  ++moved.count;
+  moved.farthest = std::max(moved.farthest, std::abs(value - inside));
+  return inside;
 }
 
 } // namespace dirichlet

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "dirichlet/injection.h"
+#include "index.h"
 
 namespace dirichlet {
 
@@ -11,11 +15,29 @@ struct Projection {
   double farthest = 0;
 };
 
-using Column = Eigen::Ref<Eigen::VectorXd, 0, Eigen::InnerStride<>>;
-
 /// The maximum principle, region by region: no value leaves the range painted at the rim. Rounding may, by an ulp, and
 /// an isoline at exactly that value would be noise; such values are moved to the end of the range. Regions without a
-/// rim have none, and stay. Cost: O(n + rim).
-Projection project_onto_painted_range(const FreeRegions& regions, Column values);
+/// rim have none, and stay.
+class PaintedRanges {
+ public:
+  /// \param field  (n, k), of which painted rows are read; regions are kept by reference. Cost: O(k rim).
+  PaintedRanges(const FreeRegions& regions, const Block& field);
+
+  /// A value of the field, inside the range of its region; `moved` counts it if it was not.
+  double project(Index row, Index column, double value, Projection& moved) const {
+    const Index region = regions_.label[at(row)];
+    if (region == FreeRegions::kPainted) return value;
+    const auto& [low, high] = ranges_[at(region) * columns_ + at(column)];
+    if ((value >= low && value <= high) || low > high) return value;
+    return move(value, low, high, moved);
+  }
+
+ private:
+  static double move(double value, double low, double high, Projection& moved);
+
+  const FreeRegions& regions_;
+  std::size_t columns_;
+  std::vector<std::array<double, 2>> ranges_; ///< (regions, k); lowest and highest
+};
 
 } // namespace dirichlet

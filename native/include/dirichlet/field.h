@@ -58,6 +58,7 @@ struct Field {
 };
 
 class FixedRows;
+class RegionSearch;
 
 /// Laplace's (or Poisson's) equation on a mesh with values prescribed on painted vertices. Lives as long as the mesh
 /// does not change: the matrix is ordered and analysed once, then `paint` follows the brush and computes no more than
@@ -111,17 +112,16 @@ class HarmonicSolver {
                                 const std::vector<int>& exponents) const;
   [[nodiscard]] Field compute(const Eigen::Ref<const Eigen::MatrixXd>& values, std::span<const double> source,
                               const Eigen::MatrixXd& guess) const;
-  void start_from(const Eigen::MatrixXd& field, const std::vector<int>& exponents, Block& x) const;
-  void hand_out(const Eigen::Ref<const Eigen::VectorXd, 0, Eigen::InnerStride<>>& column,
-                Eigen::Ref<Eigen::VectorXd> values, SolveReport& report) const;
+  [[nodiscard]] Block start_from(const Eigen::MatrixXd& field, const std::vector<int>& exponents) const;
+  void finish(const Eigen::Ref<const Eigen::MatrixXd>& values, const std::vector<int>& exponents, Block& x) const;
 
   std::unique_ptr<Solver> solver_;
   std::vector<Index> position_; ///< (V,) the row of every vertex
   std::unique_ptr<FixedRows> rows_;
-  FreeRegions regions_;        ///< by row
-  std::vector<Index> painted_; ///< as given; empty while nothing is painted
-  Repeats repeats_;            ///< places of painted_ that name a vertex again, and where it stood first
-  SolveReport base_;           ///< what does not depend on the values
+  std::unique_ptr<RegionSearch> regions_; ///< of the free rows
+  std::vector<Index> painted_;            ///< as given; empty while nothing is painted
+  Repeats repeats_;                       ///< places of painted_ that name a vertex again, and where it stood first
+  SolveReport base_;                      ///< what does not depend on the values
 
   // The last painting, to tell what changed.
   Eigen::MatrixXd values_;
