@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "buffer.h"
+#include "dirichlet/buffer.h"
 #include "parallel.h"
 
 namespace dirichlet {
