@@ -26,16 +26,16 @@ QUICK = ("14k", "125k")
 USUAL = ("14k", *(f"125k {kind}" for kind in KINDS), "125k", "1M")
 FULL = (*USUAL, "2M", "4M", "10M")
 STORE = ROOT / "build/bench/scenes"
-EFFORTS = {  # up to so many vertices: a scene of 125k is the heart of the table, the largest take minutes each
+EFFORTS = {  # up to so many vertices: what may take how long, so that all scenes take half an hour
     20_000: Effort(15, 1.0, 60.0),
     200_000: Effort(7, 3.0, 60.0),
-    1_000_000: Effort(5, 4.0, 90.0),
-    2_000_000: Effort(3, 4.0, 75.0),
-    5_000_000: Effort(2, 5.0, 90.0),
+    1_000_000: Effort(5, 2.0, 75.0),
+    2_000_000: Effort(3, 2.0, 50.0),
+    5_000_000: Effort(2, 2.0, 75.0),
 }
-LARGEST_EFFORT = Effort(2, 20.0, 400.0)
+LARGEST_EFFORT = Effort(2, 5.0, 300.0)
 QUICK_EFFORT = Effort(5, 0.5, 20.0)
-ODD_RUNS, ODD_SECONDS = 3, 1.5
+ODD_RUNS, ODD_SECONDS = 3, 1.0
 
 
 def parse(words: list[str]) -> argparse.Namespace:

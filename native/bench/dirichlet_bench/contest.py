@@ -22,7 +22,7 @@ OPENBLAS = Path("/usr/lib") / f"{os.uname().machine}-linux-gnu" / "openblas-pthr
 WORST_RESIDUAL = 1e-7
 CORES = len(os.sched_getaffinity(0))
 FEW_FROM = 1_500_000
-"""vertices, beyond which nobody runs on one thread who can use more"""
+"""vertices, beyond which, as on meshes of an odd kind, nobody runs on one thread who can use more"""
 OURS_ALONE_FROM = 5_000_000
 
 
@@ -86,7 +86,7 @@ def taking_part(name: str, count: int, words: list[str] | None) -> list[Contesta
     found = every_contestant()
     if name.endswith("cotangent"):
         found = [one for one in found if one.any_matrix]
-    if count > FEW_FROM:
+    if count > FEW_FROM or " " in name:
         with_all_cores = {one.label: one for one in reversed(found)}
         found = [one for one in found if with_all_cores[one.label] is one]
     if count > OURS_ALONE_FROM:

@@ -50,7 +50,7 @@ NOTES = """## What is compared
 - Graph Laplacian, six discs of 0.5 % of the vertices painted 0 to 1; a stroke adds 0.1 % of the vertices, a dab 30.
   *cotangent*: cotangent weights as they come, negative ones too, for who takes a matrix.
 - *ours* is `HarmonicSolver`, which takes a mesh; *ours matrix* is the C++ solver below it, which takes any symmetric
-  matrix, on the same course as the direct peers.
+  matrix, on the same course as the direct peers. Multigrid takes one column after the other: no 16.
 - *Order, factor, solve*: everybody's matrix is ready-made, of the free vertices alone but for `HarmonicSolver`.
 - *Later*, *values*, *stroke*, *dab*: peers keep their analysis too, painted vertices being identity rows of the mesh's
   pattern; a stroke is their factor and solve. Ours is `HarmonicSolver.paint`, checks of its arguments included.
