@@ -95,31 +95,35 @@ void TreeRefiner<G>::settle(const Division& division, Workspace& workspace) {
       notes_.locked[v] = 1;
     }
   }
-  for (std::size_t before = strangers.size() + 1; strangers.size() < before;) {
-    before = strangers.size();
-    settle_next(division, workspace);
-  }
-  for (const Index v : strangers) { // islands, where any region will do
+  for (workspace.wave = strangers; !workspace.wave.empty();) settle_wave(division, workspace);
+  for (const Index v : strangers) { // also islands, where any region will do
     notes_.locked[v] = 0;
     home_[static_cast<std::size_t>(v)] = regions_[v];
   }
 }
 
-/// Settles all strangers with a neighbour on their new side that is none.
+/// Settles those of a wave with a neighbour on their new side that is no stranger; the strangers beside them are the
+/// next wave.
 template <class G>
-void TreeRefiner<G>::settle_next(const Division& division, Workspace& workspace) {
-  auto& strangers = workspace.strangers;
-  workspace.settled.clear();
-  std::erase_if(strangers, [&](Index v) {
-    const Index region = nearest_region(division, v);
-    if (region != kNone) workspace.settled.push_back({v, region});
-    return region != kNone;
-  });
-  for (const auto& [v, region] : workspace.settled) {
+void TreeRefiner<G>::settle_wave(const Division& division, Workspace& workspace) {
+  constexpr std::uint8_t kStranger = 1, kNext = 2;
+  auto& wave = workspace.wave;
+  auto& settled = workspace.settled;
+  settled.clear();
+  for (const Index v : wave)
+    if (const Index region = nearest_region(division, v); region != kNone) settled.push_back({v, region});
+  wave.clear();
+  for (const auto& [v, region] : settled) {
     regions_.move(v, graph_.weight(v), region);
-    home_[static_cast<std::size_t>(v)] = region;
     notes_.locked[v] = 0;
   }
+  for (const auto& [v, region] : settled)
+    for (Index e = graph_.offsets[v]; e < graph_.offsets[v + 1]; ++e) {
+      const Index u = graph_.neighbours[e];
+      if (division.side(regions_[u]) != division.side(region) || notes_.locked[u] != kStranger) continue;
+      notes_.locked[u] = kNext;
+      wave.push_back(u);
+    }
 }
 
 /// The region on v's side that v is tied to most, strangers not counted; kNone if there is none.

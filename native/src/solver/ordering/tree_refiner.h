@@ -26,7 +26,7 @@ class TreeRefiner {
     CutRefiner cuts;
     Separator separator;
     VertexSet boundary;
-    std::vector<Index> strangers;
+    std::vector<Index> strangers, wave;
     std::vector<std::array<Index, 2>> settled;
   };
 
@@ -34,7 +34,7 @@ class TreeRefiner {
   void refine_from(Index k, unsigned forks, Workspace& workspace);
   void refine_one(Index k, Workspace& workspace);
   void settle(const Division& division, Workspace& workspace);
-  void settle_next(const Division& division, Workspace& workspace);
+  void settle_wave(const Division& division, Workspace& workspace);
   [[nodiscard]] Index nearest_region(const Division& division, Index v) const;
 
   const G& graph_;
