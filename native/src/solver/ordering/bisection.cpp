@@ -19,8 +19,8 @@ const Regions& Bisection::halve(const WeightedGraph& graph) {
   notes_.fit(graph.size);
   // What weighs much is worth several cuts; what these share is the way down to a fifth of the graph.
   const Index weight = std::accumulate(graph.weights, graph.weights + graph.size, Index{0});
-  const Index runs = std::clamp(weight / 2000, 1, 10);
-  const Index seeds = graph.size <= kCoarsest ? 1 : std::clamp(weight / 4000, 2, 8);
+  const Index runs = std::clamp(weight / 2000, 1, 5);
+  const Index seeds = graph.size <= kCoarsest ? 1 : std::clamp(weight / 4000, 2, 4);
   const std::size_t shared = coarsen_from(0, std::max(kCoarsest, graph.size / 5), 0);
   const WeightedGraph coarse = this->graph(shared);
   search_anew(coarse, 0);

@@ -7,7 +7,7 @@ namespace dirichlet::ordering {
 namespace {
 
 constexpr std::size_t kPatience = 10; // moves in vain before a pass gives up, and a quarter of the separator
-constexpr int kPasses = 10;
+constexpr int kPasses = 3;
 
 } // namespace
 
