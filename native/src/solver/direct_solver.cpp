@@ -5,8 +5,6 @@
 #include <type_traits>
 #include <utility>
 
-#include <Eigen/OrderingMethods>
-
 #include "dirichlet/error.h"
 #include "for_row.h"
 #include "index.h"
@@ -27,17 +25,12 @@ Graph graph_of(const SparseMatrix& K) {
           {K.innerIndexPtr(), static_cast<std::size_t>(K.nonZeros())}};
 }
 
-/// Dissection pays on large surfaces; on small ones minimum degree is as good and quicker.
-std::vector<Index> elimination_order(const SparseMatrix& K) {
+/// Dissection pays on large surfaces.
+std::vector<Index> elimination_order(const Graph& graph) {
   constexpr Index kSmall = 25'000;
-  const Graph graph = graph_of(K);
-  if (K.rows() > kSmall)
-    return fill_reducing_order(graph.offsets, graph.neighbours, static_cast<unsigned>(core_count()));
-  const Eigen::Map<const SymmetricMatrix> columns(K.rows(), K.cols(), K.nonZeros(), K.outerIndexPtr(),
-                                                  K.innerIndexPtr(), K.valuePtr()); // rows are columns by symmetry
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> order;
-  Eigen::AMDOrdering<Index>()(columns.selfadjointView<Eigen::Lower>(), order);
-  return {order.indices().data(), order.indices().data() + order.indices().size()};
+  return graph.size() <= kSmall
+             ? minimum_degree_order(graph.offsets, graph.neighbours)
+             : fill_reducing_order(graph.offsets, graph.neighbours, static_cast<unsigned>(core_count()));
 }
 
 Eigen::Map<const SparseMatrix> view(const OrderedMatrix& matrix) {
@@ -106,7 +99,8 @@ class DirectSolver final : public Solver {
 Analysis analyse_pattern(const SparseMatrix& K) {
   const Stopwatch watch;
   Analysis analysis;
-  analysis.symbolic = std::make_shared<const SymbolicFactor>(analyse(graph_of(K), elimination_order(K)));
+  const Graph graph = graph_of(K);
+  analysis.symbolic = std::make_shared<const SymbolicFactor>(analyse(graph, elimination_order(graph)));
   analysis.seconds = watch.seconds();
   return analysis;
 }

@@ -35,14 +35,14 @@ Index lay_out(const RegionTree& tree, Index k, Index r, Index position, Layout& 
 void order_large(const Graph& graph, std::span<const Index> vertices, const Index* place, Index position,
                  Index* order) {
   const auto size = static_cast<Index>(vertices.size());
-  std::vector<Index> offsets{0}, neighbours, own(vertices.size());
+  std::vector<Index> offsets{0}, neighbours;
   for (const Index v : vertices) {
     for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e)
       if (const Index i = place[graph.neighbours[e]] - position; i >= 0 && i < size) neighbours.push_back(i);
     offsets.push_back(static_cast<Index>(neighbours.size()));
   }
-  order_lump({size, offsets.data(), neighbours.data()}, own.data());
-  for (const Index i : own) *order++ = vertices[static_cast<std::size_t>(i)];
+  for (const Index i : order_lump({size, offsets.data(), neighbours.data()}))
+    *order++ = vertices[static_cast<std::size_t>(i)];
 }
 
 } // namespace

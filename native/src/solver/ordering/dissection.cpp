@@ -87,12 +87,7 @@ class Dissection {
 } // namespace
 
 std::vector<Index> dissect(const Graph& graph, unsigned threads) {
-  if (graph.size <= kTooSmall) {
-    std::vector<Index> order(static_cast<std::size_t>(graph.size));
-    order_lump(graph, order.data());
-    return order;
-  }
-  return Dissection(graph, threads).run();
+  return graph.size <= kTooSmall ? order_lump(graph) : Dissection(graph, threads).run();
 }
 
 } // namespace dirichlet::ordering

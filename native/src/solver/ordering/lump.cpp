@@ -6,10 +6,12 @@
 
 namespace dirichlet::ordering {
 
-void order_lump(const Graph& graph, Index* order) {
+std::vector<Index> order_lump(const Graph& graph) {
   using Pattern = Eigen::SparseMatrix<signed char, Eigen::ColMajor, Index>;
   Pattern pattern(graph.size, graph.size);
-  pattern.resizeNonZeros(graph.offsets[graph.size] + graph.size);
+  const Index count = graph.offsets[graph.size] + graph.size;
+  pattern.reserve(count + count / 5 + 2 * graph.size); // the room that the elimination needs
+  pattern.resizeNonZeros(count);
   Index end = 0;
   for (Index v = 0; v < graph.size; ++v) {
     pattern.outerIndexPtr()[v] = end;
@@ -18,10 +20,9 @@ void order_lump(const Graph& graph, Index* order) {
       pattern.innerIndexPtr()[end++] = graph.neighbours[e];
   }
   pattern.outerIndexPtr()[graph.size] = end;
-  std::fill_n(pattern.valuePtr(), end, static_cast<signed char>(1));
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> eliminated;
-  Eigen::AMDOrdering<Index>()(pattern.selfadjointView<Eigen::Lower>(), eliminated); // takes rows that are not sorted
-  std::copy_n(eliminated.indices().data(), graph.size, order);
+  Eigen::internal::minimum_degree_ordering(pattern, eliminated); // AMDOrdering would copy the pattern first
+  return {eliminated.indices().data(), eliminated.indices().data() + graph.size};
 }
 
 } // namespace dirichlet::ordering

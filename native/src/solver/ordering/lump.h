@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "graph.h"
 
 namespace dirichlet::ordering {
 
-/// Writes an approximate minimum degree order (Amestoy, Davis & Duff 1996) of a graph that dissection does not help:
-/// order[k] is the vertex eliminated k-th.
-void order_lump(const Graph& graph, Index* order);
+/// An approximate minimum degree order (Amestoy, Davis & Duff 1996) of a graph that dissection does not help: order[k]
+/// is the vertex eliminated k-th.
+std::vector<Index> order_lump(const Graph& graph);
 
 } // namespace dirichlet::ordering

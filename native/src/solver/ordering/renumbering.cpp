@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "workers.h"
+
 namespace dirichlet::ordering {
 namespace {
 
@@ -13,9 +15,25 @@ Index most_neighbours(std::size_t n) {
   return std::max<Index>(16, static_cast<Index>(10 * std::sqrt(n)));
 }
 
+/// Writes the rows that have their place.
+void fill_rows(const Index* row, const Index* neighbours, const Index* number, unsigned threads, Renumbered& result) {
+  constexpr std::size_t kRowsAtOnce = 1 << 13;
+  const std::size_t count = result.vertices.size();
+  result.neighbours.resize(static_cast<std::size_t>(result.offsets.back()));
+  share_out(static_cast<Index>((count + kRowsAtOnce - 1) / kRowsAtOnce), threads, [&](Index share, unsigned) {
+    const std::size_t first = static_cast<std::size_t>(share) * kRowsAtOnce;
+    Index* to = result.neighbours.data() + result.offsets[first];
+    for (std::size_t i = first; i < std::min(count, first + kRowsAtOnce); ++i) {
+      const Index v = result.vertices[i];
+      for (Index e = row[v]; e < row[v + 1]; ++e)
+        if (const Index u = neighbours[e]; u != v && number[u] != kHub) *to++ = number[u];
+    }
+  });
+}
+
 } // namespace
 
-Renumbered renumber(std::span<const Index> offsets, std::span<const Index> neighbours) {
+Renumbered renumber(std::span<const Index> offsets, std::span<const Index> neighbours, unsigned threads) {
   const auto n = static_cast<Index>(offsets.empty() ? 0 : offsets.size() - 1);
   const Index* row = offsets.data();
   const Index most = most_neighbours(static_cast<std::size_t>(n));
@@ -28,28 +46,30 @@ Renumbered renumber(std::span<const Index> offsets, std::span<const Index> neigh
       result.hubs.push_back(v);
     }
 
-  std::vector<Index>& queue = result.vertices;
-  queue.reserve(static_cast<std::size_t>(n));
-  const auto visit = [&](Index v) {
-    if (number[v] != kUnseen) return;
-    number[v] = static_cast<Index>(queue.size());
-    queue.push_back(v);
+  auto& queue = result.vertices;
+  queue.resize(static_cast<std::size_t>(n) + 1); // one for who was met before
+  result.offsets.assign(1, 0);
+  result.offsets.reserve(queue.size());
+  Index met = 0;
+  const auto visit = [&](Index v) { // most were met before, but none knows who: no branch
+    const Index is_new = static_cast<Index>(number[v] == kUnseen);
+    queue[static_cast<std::size_t>(met)] = v;
+    number[v] = is_new != 0 ? met : number[v];
+    met += is_new;
   };
-  for (Index start = 0; start < n; ++start) {
-    std::size_t head = queue.size();
-    for (visit(start); head < queue.size(); ++head)
-      for (Index e = row[queue[head]]; e < row[queue[head] + 1]; ++e) visit(neighbours[static_cast<std::size_t>(e)]);
-  }
-
-  result.offsets.reserve(queue.size() + 1);
-  result.offsets.push_back(0);
-  result.neighbours.reserve(neighbours.size());
-  for (const Index v : queue) {
-    for (Index e = row[v]; e < row[v + 1]; ++e)
-      if (const Index u = neighbours[static_cast<std::size_t>(e)]; u != v && number[u] != kHub)
-        result.neighbours.push_back(number[u]);
-    result.offsets.push_back(static_cast<Index>(result.neighbours.size()));
-  }
+  for (Index start = 0, head = 0; start < n; ++start)
+    for (visit(start); head < met; ++head) {
+      const Index v = queue[static_cast<std::size_t>(head)];
+      Index end = result.offsets.back();
+      for (Index e = row[v]; e < row[v + 1]; ++e) {
+        const Index u = neighbours[static_cast<std::size_t>(e)];
+        visit(u);
+        end += static_cast<Index>(u != v && number[u] != kHub);
+      }
+      result.offsets.push_back(end);
+    }
+  queue.resize(static_cast<std::size_t>(met));
+  fill_rows(row, neighbours.data(), number, threads, result);
   return result;
 }
 
