@@ -3,15 +3,10 @@
 
 #include "index.h"
 #include "parallel.h"
+#include "prefetch.h"
 
 namespace dirichlet {
 namespace {
-
-void prefetch([[maybe_unused]] const void* address) {
-#if defined(__GNUC__) || defined(__clang__)
-  __builtin_prefetch(address);
-#endif
-}
 
 constexpr std::size_t kRowsWorthThread = 1 << 13;
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "prefetch.h"
 #include "workers.h"
 
 namespace dirichlet::ordering {
@@ -15,6 +16,14 @@ Index most_neighbours(std::size_t n) {
   return std::max<Index>(16, static_cast<Index>(10 * std::sqrt(n)));
 }
 
+/// Rows follow each other all over memory: asks for those of `vertices` that come soon after the i-th.
+void prefetch_rows(const Index* row, const Index* neighbours, std::span<const Index> vertices, std::size_t i) {
+  constexpr std::size_t kAhead = 8;
+  if (i + 2 * kAhead >= vertices.size()) return;
+  prefetch(neighbours + row[vertices[i + kAhead]]);
+  prefetch(row + vertices[i + 2 * kAhead]);
+}
+
 /// Writes the rows that have their place.
 void fill_rows(const Index* row, const Index* neighbours, const Index* number, unsigned threads, Renumbered& result) {
   constexpr std::size_t kRowsAtOnce = 1 << 13;
@@ -24,6 +33,7 @@ void fill_rows(const Index* row, const Index* neighbours, const Index* number, u
     const std::size_t first = static_cast<std::size_t>(share) * kRowsAtOnce;
     Index* to = result.neighbours.data() + result.offsets[first];
     for (std::size_t i = first; i < std::min(count, first + kRowsAtOnce); ++i) {
+      prefetch_rows(row, neighbours, result.vertices, i);
       const Index v = result.vertices[i];
       for (Index e = row[v]; e < row[v + 1]; ++e)
         if (const Index u = neighbours[e]; u != v && number[u] != kHub) *to++ = number[u];
@@ -59,7 +69,9 @@ Renumbered renumber(std::span<const Index> offsets, std::span<const Index> neigh
   };
   for (Index start = 0, head = 0; start < n; ++start)
     for (visit(start); head < met; ++head) {
-      const Index v = queue[static_cast<std::size_t>(head)];
+      const auto i = static_cast<std::size_t>(head);
+      prefetch_rows(row, neighbours.data(), std::span(queue.data(), static_cast<std::size_t>(met)), i);
+      const Index v = queue[i];
       Index end = result.offsets.back();
       for (Index e = row[v]; e < row[v + 1]; ++e) {
         const Index u = neighbours[static_cast<std::size_t>(e)];
