@@ -2,7 +2,9 @@
 #include "dirichlet/laplacian.h"
 
 #include <algorithm>
-#include <vector>
+
+#include "dirichlet/buffer.h"
+#include "index.h"
 
 namespace dirichlet {
 
@@ -18,22 +20,22 @@ SparseMatrix graph_stiffness(const Mesh& mesh) {
   K.resizeNonZeros(row[n]);
   Index* column = K.innerIndexPtr();
   double* value = K.valuePtr();
+  prefer_large_pages(column, at(row[n]) * sizeof(Index));
+  prefer_large_pages(value, at(row[n]) * sizeof(double));
 
+  std::fill(value, value + row[n], -1.0);
   // Edges come sorted by (smaller, larger) vertex. Going through them once fills every row in ascending columns: first
   // its smaller neighbours, whose edges come earlier, then the diagonal, then the larger ones.
-  std::vector<Index> next(row, row + n);
+  Buffer<Index> next(row, row + n);
   std::size_t e = 0;
   for (Index i = 0; i < n; ++i) {
-    Index& mine = next[static_cast<std::size_t>(i)];
-    column[mine] = i;
-    value[mine++] = row[i + 1] - row[i] - 1;
+    Index& mine = next[at(i)];
+    value[mine] = row[i + 1] - row[i] - 1;
+    column[mine++] = i;
     for (; e < edges.size() && edges[e] == i; e += 2) {
       const Index j = edges[e + 1];
-      Index& theirs = next[static_cast<std::size_t>(j)];
-      column[mine] = j;
-      value[mine++] = -1;
-      column[theirs] = i;
-      value[theirs++] = -1;
+      column[mine++] = j;
+      column[next[at(j)]++] = i;
     }
   }
   return K;
