@@ -35,17 +35,18 @@ SharedArray<T> share(const Array<T>& array) {
 }
 
 /// A new NumPy array of this shape that takes over the vector: no copy.
-template <class T>
-py::array to_numpy(std::vector<T>&& values, std::vector<py::ssize_t> shape) {
-  auto owner = std::make_unique<std::vector<T>>(std::move(values));
+template <class T, class Allocator>
+py::array to_numpy(std::vector<T, Allocator>&& values, std::vector<py::ssize_t> shape) {
+  using Vector = std::vector<T, Allocator>;
+  auto owner = std::make_unique<Vector>(std::move(values));
   const T* data = owner->data();
-  const py::capsule capsule(owner.get(), [](void* pointer) { delete static_cast<std::vector<T>*>(pointer); });
+  const py::capsule capsule(owner.get(), [](void* pointer) { delete static_cast<Vector*>(pointer); });
   owner.release();
   return py::array(py::dtype::of<T>(), std::move(shape), data, capsule);
 }
 
-template <class T>
-py::array to_numpy(std::vector<T>&& values) {
+template <class T, class Allocator>
+py::array to_numpy(std::vector<T, Allocator>&& values) {
   const auto size = static_cast<py::ssize_t>(values.size());
   return to_numpy(std::move(values), {size});
 }

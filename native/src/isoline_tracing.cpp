@@ -6,9 +6,9 @@
 #include <iterator>
 #include <map>
 #include <mutex>
-#include <numeric>
 
 #include "dirichlet/error.h"
+#include "index.h"
 #include "message.h"
 #include "parallel.h"
 #include "polygon_opposite.h"
@@ -60,72 +60,146 @@ std::vector<Index> active_triangles(std::span<const Index> corners, std::span<co
   return all;
 }
 
-} // namespace
+/// A level that crosses a triangle does so from one half-edge, which goes down (from above the level to below), to
+/// another, which goes up. These are the *ends* of the crossing c: 2c and 2c + 1.
+struct Crossings {
+  std::vector<Index> active; ///< the triangles that any level crosses, ascending
+  Buffer<Index> base;        ///< (T,) level k crosses triangle f as number base[f] + k; of active ones only
+  Buffer<Index> level;       ///< (X,)
+  Buffer<Index> half_edge;   ///< (2X,) of every end
+  Buffer<Index> across;      ///< (2X,) the end on the other side of that half-edge, or -1
+};
 
-Crossings find_crossings(std::span<const Index> corners, std::span<const Index> numbers, Index level_count) {
-  constexpr std::int64_t kMost = std::int64_t{1} << 30; // points are counted in 32 bits, at most two to a crossing
-  const std::vector<Index> active = active_triangles(corners, numbers);
+/// Crossings are numbered by triangle, then by level.
+Crossings number_crossings(std::span<const Index> corners, std::span<const Index> numbers) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 30; // ends, and points, are counted in 32 bits
+  Crossings crossings;
+  crossings.active = active_triangles(corners, numbers);
+  crossings.base.resize(corners.size() / 3);
   std::int64_t total = 0;
-  std::vector<Index> next(static_cast<std::size_t>(level_count) + 1, 0); // first by how much the crossings of a level
-  for (const Index f : active) {                                         // exceed those of the level below
-    const auto [low, high] = level_range(corners, numbers, static_cast<std::size_t>(f));
-    ++next[static_cast<std::size_t>(low)];
-    --next[static_cast<std::size_t>(high)];
+  for (const Index f : crossings.active) {
+    const auto [low, high] = level_range(corners, numbers, at(f));
+    crossings.base[at(f)] = static_cast<Index>(total - low);
     total += high - low;
   }
   if (total > kMost)
     throw InputError(
         message("the levels cross the triangles ", total, " times, more than the ", kMost, " there can be"));
-
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  std::exclusive_scan(next.begin(), next.end(), next.begin(), Index{0});
-  Crossings crossings{next, std::vector<Index>(static_cast<std::size_t>(total))};
-  for (const Index f : active) {
-    const auto [low, high] = level_range(corners, numbers, static_cast<std::size_t>(f));
-    for (auto k = static_cast<std::size_t>(low); k < static_cast<std::size_t>(high); ++k)
-      crossings.triangles[static_cast<std::size_t>(next[k]++)] = f;
-  }
+  const auto count = static_cast<std::size_t>(total);
+  crossings.level.resize(count);
+  crossings.half_edge.resize(2 * count);
+  crossings.across.resize(2 * count);
   return crossings;
 }
 
-LineTracer::LineTracer(const Mesh& mesh, std::span<const Index> numbers)
-    : mesh_(mesh), corners_(mesh.triangulated().corners()), opposite_(mesh.triangulated().connectivity().opposite),
-      numbers_(numbers), mark_(corners_.size() / 3, -1) {}
-
-bool LineTracer::trace(Index triangle, Index level, std::vector<Index>& half_edges) {
-  half_edges.clear();
-  mark_[at(triangle)] = level;
-  Index entry = 3 * triangle; // from above to below: what is above lies on the left of a line that comes in here
-  while (number(entry) <= level || number(next(entry)) > level) ++entry;
-  const bool closed = walk(entry, level, half_edges);
-  std::reverse(half_edges.begin(), half_edges.end());
-  if (closed) return true; // through the exit, on the other side of which that walk ended
-  Index exit = 3 * triangle;
-  while (number(exit) > level || number(next(exit)) <= level) ++exit;
-  walk(exit, level, half_edges);
-  return false;
+Index next(Index corner) {
+  return corner % 3 == 2 ? corner - 2 : corner + 1;
 }
 
-Index LineTracer::across(Index half_edge) const {
-  const Index other = opposite_[at(half_edge)];
-  const bool ambiguous = other == Connectivity::kNonManifold && !mesh_.is_triangular();
-  return ambiguous ? opposite_in_polygons(mesh_, half_edge) : other;
-}
+/// Finds out how crossings go on in the triangle's neighbours.
+class CrossingLinker {
+ public:
+  CrossingLinker(const Mesh& mesh, std::span<const Index> numbers, Crossings& crossings)
+      : mesh_(mesh), corners_(mesh.triangulated().corners()), opposite_(mesh.triangulated().connectivity().opposite),
+        numbers_(numbers), crossings_(crossings) {}
 
-/// Leaves a triangle through `half_edge` and goes on. What counts is which edges are crossed, not which way half-edges
-/// point, so a turned-over neighbour is no obstacle. \returns whether the line came back to where it began.
-bool LineTracer::walk(Index half_edge, Index level, std::vector<Index>& half_edges) {
-  while (true) {
-    half_edges.push_back(half_edge);
-    const Index other = across(half_edge);
-    if (other < 0) return false;
-    const Index triangle = other / 3;
-    if (visited(triangle, level)) return true;
-    const Index head = next(other), apex = next(head);
-    if (number(apex) == kUndefined) return false;
-    mark_[at(triangle)] = level;
-    half_edge = (number(apex) > level) != (number(head) > level) ? head : apex;
+  /// Without a branch on how a level crosses, which would be mispredicted.
+  void link(Index triangle) {
+    const auto [low, high] = level_range(corners_, numbers_, at(triangle));
+    const Index a = number(3 * triangle), b = number(3 * triangle + 1), c = number(3 * triangle + 2);
+    for (Index level = low; level < high; ++level) {
+      const auto above = static_cast<std::size_t>(a > level) + 2 * static_cast<std::size_t>(b > level) +
+                         4 * static_cast<std::size_t>(c > level);
+      const Index crossing = crossings_.base[at(triangle)] + level;
+      crossings_.level[at(crossing)] = level;
+      for (Index up = 0; up < 2; ++up) {
+        const Index half_edge = 3 * triangle + kSide[at(up)][above];
+        crossings_.half_edge[at(2 * crossing + up)] = half_edge;
+        crossings_.across[at(2 * crossing + up)] = across(half_edge, up, level);
+      }
+    }
   }
+
+ private:
+  /// The side that goes down, or up, by which corners are above the level.
+  static constexpr std::array<std::array<Index, 8>, 2> kSide{{{0, 0, 1, 1, 2, 0, 2, 0}, {0, 2, 0, 2, 1, 1, 0, 0}}};
+
+  /// The end on the other side of `half_edge`, which goes up or down. That of a turned-over neighbour, whose half-edge
+  /// starts at the same vertex, goes the same way.
+  [[nodiscard]] Index across(Index half_edge, Index up, Index level) const {
+    const Index other = opposite(half_edge);
+    if (other < 0 || number(next(next(other))) == kUndefined) return -1;
+    const bool turned = corners_[at(other)] == corners_[at(half_edge)];
+    return 2 * (crossings_.base[at(other / 3)] + level) + (turned ? up : 1 - up);
+  }
+
+  [[nodiscard]] Index number(Index corner) const { return numbers_[at(corners_[at(corner)])]; }
+  [[nodiscard]] Index opposite(Index half_edge) const {
+    const Index other = opposite_[at(half_edge)];
+    const bool ambiguous = other == Connectivity::kNonManifold && !mesh_.is_triangular();
+    return ambiguous ? opposite_in_polygons(mesh_, half_edge) : other;
+  }
+
+  const Mesh& mesh_;
+  std::span<const Index> corners_;
+  std::span<const Index> opposite_;
+  std::span<const Index> numbers_;
+  Crossings& crossings_;
+};
+
+/// Joins crossings to lines.
+class LineTracer {
+ public:
+  explicit LineTracer(const Crossings& crossings) : crossings_(crossings), visited_(crossings.level.size(), 0) {
+    traces_.half_edges.reserve(crossings.level.size());
+  }
+
+  Traces trace() {
+    for (std::size_t c = 0; c < visited_.size(); ++c)
+      if (visited_[c] == 0) trace_line(static_cast<Index>(c));
+    return std::move(traces_);
+  }
+
+ private:
+  /// First back through the half-edge that goes down: what is above lies on the left of a line that comes in there.
+  void trace_line(Index crossing) {
+    const auto begin = static_cast<std::ptrdiff_t>(traces_.half_edges.size());
+    visited_[at(crossing)] = 1;
+    const bool closed = walk(2 * crossing);
+    std::reverse(traces_.half_edges.begin() + begin, traces_.half_edges.end());
+    if (!closed) walk(2 * crossing + 1);
+    traces_.offsets.push_back(static_cast<Index>(traces_.half_edges.size()));
+    traces_.closed.push_back(closed ? 1 : 0);
+    traces_.level.push_back(crossings_.level[at(crossing)]);
+  }
+
+  /// Leaves a triangle by `end` and goes on. \returns whether the line came back to where it began.
+  bool walk(Index end) {
+    while (true) {
+      traces_.half_edges.push_back(crossings_.half_edge[at(end)]);
+      const Index entered = crossings_.across[at(end)];
+      if (entered < 0) return false;
+      if (visited_[at(entered / 2)] != 0) return true;
+      visited_[at(entered / 2)] = 1;
+      end = entered ^ 1; // NOLINT(hicpp-signed-bitwise): the other end of the same crossing
+    }
+  }
+
+  const Crossings& crossings_;
+  std::vector<std::uint8_t> visited_;
+  Traces traces_;
+};
+
+} // namespace
+
+Traces trace_lines(const Mesh& mesh, std::span<const Index> numbers) {
+  Crossings crossings = number_crossings(mesh.triangulated().corners(), numbers);
+  CrossingLinker linker(mesh, numbers, crossings);
+  constexpr std::size_t kGrain = 1 << 12; // triangles that a thread is worth
+  parallel_chunks(crossings.active.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) linker.link(crossings.active[i]);
+  });
+  return LineTracer(crossings).trace();
 }
 
 } // namespace dirichlet

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "dirichlet/buffer.h"
 #include "dirichlet/mesh.h"
 
 namespace dirichlet {
@@ -13,40 +15,19 @@ namespace dirichlet {
 /// has no value.
 constexpr Index kUndefined = -1;
 
-/// Which triangles every level crosses: triangles[offsets[k] … offsets[k + 1]), ascending.
-struct Crossings {
-  std::vector<Index> offsets;
-  std::vector<Index> triangles;
+/// Lines by the half-edges of the triangles that they cross: line l has half_edges[offsets[l]] … [offsets[l + 1]), in
+/// order, with higher values on the left of its first triangle, the lowest one. An open line starts and ends where
+/// there is no way on. Lines of one level are sorted by their first triangles.
+struct Traces {
+  Buffer<Index> half_edges;
+  std::vector<Index> offsets{0};    ///< (L + 1,)
+  std::vector<std::uint8_t> closed; ///< (L,)
+  std::vector<Index> level;         ///< (L,)
 };
 
-/// \throws InputError  more than 2^30 crossings. Cost: O(T + K + crossings).
-Crossings find_crossings(std::span<const Index> corners, std::span<const Index> numbers, Index level_count);
-
-/// Follows lines from triangle to triangle. Each thread has one of its own, for the marks.
-class LineTracer {
- public:
-  /// Walks over mesh.triangulated().
-  LineTracer(const Mesh& mesh, std::span<const Index> numbers);
-
-  /// Whether a line of `level` has come through here; asked for while no other level has been traced since.
-  [[nodiscard]] bool visited(Index triangle, Index level) const { return mark_[at(triangle)] == level; }
-
-  /// Replaces `half_edges` by those that the line through `triangle` crosses, in order, higher values on the left of
-  /// that triangle. An open line starts and ends where there is no way on. \returns whether it is closed.
-  bool trace(Index triangle, Index level, std::vector<Index>& half_edges);
-
- private:
-  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-  static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-  [[nodiscard]] Index number(Index corner) const { return numbers_[at(corners_[at(corner)])]; }
-  [[nodiscard]] Index across(Index half_edge) const;
-  bool walk(Index half_edge, Index level, std::vector<Index>& half_edges);
-
-  const Mesh& mesh_;
-  std::span<const Index> corners_;
-  std::span<const Index> opposite_;
-  std::span<const Index> numbers_;
-  std::vector<Index> mark_; ///< the level traced last through every triangle
-};
+/// The lines of all levels over mesh.triangulated(). All triangles are looked at once, in order, and where a line goes
+/// on is found there and then: following lines through a large mesh would wait for memory at every step.
+/// \throws InputError  more than 2^30 crossings of triangles and levels. Cost: O(T + crossings).
+Traces trace_lines(const Mesh& mesh, std::span<const Index> numbers);
 
 } // namespace dirichlet

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <map>
-#include <mutex>
 #include <numeric>
 
+#include "any_value.h"
 #include "dirichlet/error.h"
+#include "index.h"
 #include "isoline_tracing.h"
 #include "message.h"
 #include "parallel.h"
@@ -47,8 +46,8 @@ void check_field(std::span<const double> field, Index vertex_count) {
   if (field.size() != static_cast<std::size_t>(vertex_count))
     throw InputError(message("the field has ", field.size(), " values, but the mesh ", vertex_count, " vertices"));
   const auto bad = [](double value) { return std::isinf(value); };
+  if (!any_value(field, bad)) return;
   const auto first = std::find_if(field.begin(), field.end(), bad);
-  if (first == field.end()) return;
   throw InputError(message("the field is infinite at vertex ", first - field.begin(),
                            and_more(std::count_if(first, field.end(), bad) - 1, "value")));
 }
@@ -81,61 +80,76 @@ double distance(const Point& a, const Point& b) {
   return squared > 1e-280 ? std::sqrt(squared) : std::hypot(x, y, z);
 }
 
-/// Turns half-edges into points, and collects lines.
-class LineBuilder {
+/// Turns half-edges into points. Every line has its own place in the result, so threads may each make some of them.
+class LinePlacer {
  public:
-  LineBuilder(const Mesh& triangles, std::span<const double> field)
-      : corners_(triangles.corners()), positions_(triangles.positions()), field_(field) {
-    lines_.offsets.push_back(0);
-  }
+  LinePlacer(const Mesh& triangles, std::span<const double> field, Isolines& lines)
+      : corners_(triangles.corners()), positions_(triangles.positions()), field_(field), lines_(lines) {}
 
-  /// A line that is the same point all along leaves nothing. One that goes to a second point and back, around a plateau
-  /// that is a single edge, stays a closed line of two points.
-  void add(std::span<const Index> half_edges, bool closed, double level, Index level_index) {
-    const auto begin = static_cast<std::size_t>(lines_.offsets.back());
+  /// \returns how many points line `l` has when those that coincide in succession are one. A line that is the same
+  /// point all along has none; one that goes to a second point and back, around a plateau that is a single edge, stays
+  /// a closed line of two points.
+  Index place(std::size_t l, std::span<const Index> half_edges, double level) {
+    const std::size_t begin = at(lines_.offsets[l]);
+    for (std::size_t done = 0; done < half_edges.size(); done += kBlock)
+      place_points(begin + done, half_edges.subspan(done, std::min(kBlock, half_edges.size() - done)), level);
     double length = 0;
-    for (const Index half_edge : half_edges) {
-      const bool first = lines_.t.size() == begin;
-      add_point(half_edge, level);
-      const std::size_t last = lines_.t.size() - 1;
-      if (first) continue;
-      if (point(last) == point(last - 1))
-        resize(last);
-      else
-        length += distance(point(last - 1), point(last));
+    std::size_t end = begin + 1;
+    for (std::size_t p = begin + 1; p < begin + half_edges.size(); ++p) {
+      if (point(p) == point(end - 1)) continue;
+      length += distance(point(end - 1), point(p));
+      if (p != end) move(p, end);
+      ++end;
     }
-    if (closed) length += close(begin);
-    if (lines_.t.size() < begin + 2) return resize(begin);
-    lines_.offsets.push_back(static_cast<Index>(lines_.t.size()));
-    lines_.closed.push_back(closed ? 1 : 0);
-    lines_.level.push_back(level_index);
-    lines_.length.push_back(length);
+    if (lines_.closed[l] != 0) {
+      length += distance(point(end - 1), point(begin));
+      if (end > begin + 1 && point(end - 1) == point(begin)) --end;
+    }
+    lines_.length[l] = length;
+    return end < begin + 2 ? 0 : static_cast<Index>(end - begin);
   }
-
-  Isolines take() { return std::move(lines_); }
 
  private:
-  /// Takes away a last point that is the first one again. \returns by how much the line gets longer.
-  double close(std::size_t begin) {
-    const std::size_t last = lines_.t.size() - 1;
-    const double length = distance(point(last), point(begin));
-    if (last > begin && point(last) == point(begin)) resize(last);
-    return length;
+  static constexpr std::size_t kBlock = 128;
+
+  /// Computed from the edge, smaller vertex first, so that both its triangles have the same point bit for bit. First
+  /// all ends of a block are fetched, then points are made of them without a branch: one that waits for memory, or goes
+  /// another way every time, would hold up those after it.
+  void place_points(std::size_t place, std::span<const Index> half_edges, double level) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written before they are read
+    std::array<double, 3 * kBlock> from, to, share;
+    for (std::size_t k = 0; k < half_edges.size(); ++k) {
+      const Index half_edge = half_edges[k], other = half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
+      const Index one = corners_[at(half_edge)], two = corners_[at(other)];
+      const Index i = std::min(one, two), j = std::max(one, two);
+      const double t = crossing(field_[at(i)], field_[at(j)], level);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        from[3 * k + axis] = positions_[3 * at(i) + axis];
+        to[3 * k + axis] = positions_[3 * at(j) + axis];
+        share[3 * k + axis] = t;
+      }
+      lines_.edges[2 * (place + k)] = i;
+      lines_.edges[2 * (place + k) + 1] = j;
+      lines_.t[place + k] = t;
+    }
+    double* const points = lines_.points.data() + 3 * place;
+    for (std::size_t i = 0; i < 3 * half_edges.size(); ++i) points[i] = between(from[i], to[i], share[i]);
   }
 
-  /// Computed from the edge, smaller vertex first, so that both its triangles have the same point bit for bit;
-  /// std::lerp is exact at both ends, and never outside them.
-  void add_point(Index half_edge, double level) {
-    const Index other = half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
-    const auto [i, j] =
-        std::minmax(corners_[static_cast<std::size_t>(half_edge)], corners_[static_cast<std::size_t>(other)]);
-    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-    const double t = crossing(field_[a], field_[b], level);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      lines_.points.push_back(std::lerp(positions_[3 * a + axis], positions_[3 * b + axis], t));
-    lines_.edges.push_back(i);
-    lines_.edges.push_back(j);
-    lines_.t.push_back(t);
+  /// std::lerp for t in [0, 1]: exact at both ends, and never outside them.
+  static double between(double a, double b, double t) {
+    const double sum = t * b + (1 - t) * a, x = a + t * (b - a);
+    const double low = b > x ? x : b, high = b < x ? x : b;
+    const double clamped = b > a ? low : high;
+    const double inner = t == 1 ? b : clamped;
+    const bool around_zero = ((a <= 0) & (b >= 0)) | ((a >= 0) & (b <= 0)); // NOLINT(hicpp-signed-bitwise)
+    return around_zero ? sum : inner;
+  }
+
+  void move(std::size_t p, std::size_t to) {
+    std::copy_n(lines_.points.data() + 3 * p, 3, lines_.points.data() + 3 * to);
+    std::copy_n(lines_.edges.data() + 2 * p, 2, lines_.edges.data() + 2 * to);
+    lines_.t[to] = lines_.t[p];
   }
 
   /// Where on the way from `a` to `b` the level between them lies. Distinct doubles never have the difference 0, but
@@ -150,41 +164,55 @@ class LineBuilder {
     return {lines_.points[3 * i], lines_.points[3 * i + 1], lines_.points[3 * i + 2]};
   }
 
-  void resize(std::size_t count) {
-    lines_.points.resize(3 * count);
-    lines_.edges.resize(2 * count);
-    lines_.t.resize(count);
-  }
-
   std::span<const Index> corners_;
   std::span<const double> positions_;
   std::span<const double> field_;
-  Isolines lines_;
+  Isolines& lines_;
 };
 
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
-  to.insert(to.end(), from.begin(), from.end());
+/// Room for the traced lines in `order`.
+Isolines room_for(const Traces& traces, std::span<const Index> order, const SortedLevels& levels) {
+  Isolines lines;
+  lines.points.resize(3 * traces.half_edges.size());
+  lines.edges.resize(2 * traces.half_edges.size());
+  lines.t.resize(traces.half_edges.size());
+  lines.length.resize(order.size());
+  lines.offsets.push_back(0);
+  for (const Index l : order) {
+    lines.offsets.push_back(lines.offsets.back() + traces.offsets[at(l) + 1] - traces.offsets[at(l)]);
+    lines.closed.push_back(traces.closed[at(l)]);
+    lines.level.push_back(levels.source[at(traces.level[at(l)])]);
+  }
+  return lines;
 }
 
-void append(Isolines& lines, const Isolines& more) {
-  const Index shift = lines.offsets.back();
-  append(lines.points, more.points);
-  append(lines.edges, more.edges);
-  append(lines.t, more.t);
-  for (std::size_t l = 1; l < more.offsets.size(); ++l) lines.offsets.push_back(shift + more.offsets[l]);
-  append(lines.closed, more.closed);
-  append(lines.level, more.level);
-  append(lines.length, more.length);
-}
-
-/// Ranks of the levels in the order in which the caller has them.
-std::vector<Index> callers_order(const SortedLevels& levels) {
-  std::vector<Index> order(levels.values.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  const auto source = [&](Index rank) { return levels.source[static_cast<std::size_t>(rank)]; };
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return source(a) < source(b); });
-  return order;
+/// Where lines have become shorter, those after them move up; empty ones go.
+void close_gaps(Isolines& lines, std::span<const Index> counts) {
+  const std::vector<Index> starts = lines.offsets;
+  std::size_t kept = 0;
+  Index to = 0;
+  for (std::size_t l = 0; l < counts.size(); ++l) {
+    if (counts[l] == 0) continue;
+    const auto move = [from = starts[l], to, count = counts[l]](auto& values, std::ptrdiff_t width) {
+      const auto first = values.begin() + from * width;
+      std::move(first, first + count * width, values.begin() + to * width);
+    };
+    move(lines.points, 3);
+    move(lines.edges, 2);
+    move(lines.t, 1);
+    lines.closed[kept] = lines.closed[l];
+    lines.level[kept] = lines.level[l];
+    lines.length[kept] = lines.length[l];
+    to += counts[l];
+    lines.offsets[++kept] = to;
+  }
+  lines.points.resize(3 * at(to));
+  lines.edges.resize(2 * at(to));
+  lines.t.resize(at(to));
+  lines.offsets.resize(kept + 1);
+  lines.closed.resize(kept);
+  lines.level.resize(kept);
+  lines.length.resize(kept);
 }
 
 } // namespace
@@ -193,34 +221,28 @@ Isolines extract_isolines(const Mesh& mesh, std::span<const double> field, std::
   check_field(field, mesh.vertex_count());
   const SortedLevels sorted = sort_levels(levels);
   const Mesh& triangles = mesh.triangulated();
-  const std::vector<Index> numbers = level_numbers(field, sorted.values);
-  const auto level_count = sorted.values.size();
-  const Crossings crossings = find_crossings(triangles.corners(), numbers, static_cast<Index>(level_count));
+  const Traces traces = trace_lines(mesh, level_numbers(field, sorted.values));
 
-  const std::vector<Index> order = callers_order(sorted);
-  std::map<std::size_t, Isolines> pieces; // by the place in `order` where they begin
-  std::mutex mutex;
-  constexpr std::size_t kCrossings = 1 << 13; // what a thread and its marks are worth
-  const std::size_t grain = level_count * kCrossings / std::max<std::size_t>(1, crossings.triangles.size()) + 1;
-  parallel_chunks(level_count, grain, [&](std::size_t begin, std::size_t end) {
-    LineTracer tracer(mesh, numbers);
-    LineBuilder builder(triangles, field);
-    std::vector<Index> half_edges;
+  std::vector<Index> order(traces.level.size()); // of the levels as the caller has them
+  std::iota(order.begin(), order.end(), Index{0});
+  const auto source = [&](Index l) { return sorted.source[at(traces.level[at(l)])]; };
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return source(a) < source(b); });
+
+  Isolines lines = room_for(traces, order, sorted);
+  LinePlacer placer(triangles, field, lines);
+  std::vector<Index> counts(order.size());
+  constexpr std::size_t kPoints = 1 << 12; // what a thread is worth
+  const std::size_t grain = order.size() * kPoints / std::max<std::size_t>(1, traces.half_edges.size()) + 1;
+  parallel_chunks(order.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto rank = static_cast<std::size_t>(order[i]);
-      const auto first = static_cast<std::size_t>(crossings.offsets[rank]);
-      const auto last = static_cast<std::size_t>(crossings.offsets[rank + 1]);
-      for (std::size_t c = first; c < last; ++c) {
-        if (tracer.visited(crossings.triangles[c], order[i])) continue;
-        const bool closed = tracer.trace(crossings.triangles[c], order[i], half_edges);
-        builder.add(half_edges, closed, sorted.values[rank], sorted.source[rank]);
-      }
+      const std::size_t l = at(order[i]);
+      const std::span<const Index> half_edges(traces.half_edges.data() + traces.offsets[l],
+                                              traces.half_edges.data() + traces.offsets[l + 1]);
+      counts[i] = placer.place(i, half_edges, sorted.values[at(traces.level[l])]);
     }
-    const std::scoped_lock lock(mutex);
-    pieces.emplace(begin, builder.take());
   });
-  Isolines lines = std::move(pieces.begin()->second);
-  for (auto piece = std::next(pieces.begin()); piece != pieces.end(); ++piece) append(lines, piece->second);
+  if (std::accumulate(counts.begin(), counts.end(), std::size_t{0}) < traces.half_edges.size())
+    close_gaps(lines, counts);
   return lines;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "any_value.h"
 #include "connectivity.h"
 #include "dirichlet/error.h"
 #include "dirichlet/triangulation.h"
@@ -22,21 +23,13 @@ constexpr double kLargestCoordinate = 1e150;
 /// Corners and matrix entries are counted in 32 bits; a corner makes at most two entries.
 constexpr std::size_t kMostCorners = std::numeric_limits<Index>::max() / 4;
 
-/// std::any_of for what is almost never so: without a way out the loop goes over many values at once.
-template <class Values, class Predicate>
-bool any(const Values& values, Predicate predicate) {
-  int found = 0;
-  for (const auto value : values) found |= static_cast<int>(predicate(value));
-  return found != 0;
-}
-
 void check_positions(std::span<const double> positions) {
   if (positions.size() % 3 != 0)
     throw InputError(message("positions have ", positions.size(), " numbers, which is not a multiple of 3"));
   if (positions.size() / 3 > kMostCorners)
     throw InputError(message("a mesh has at most ", kMostCorners, " vertices, not ", positions.size() / 3));
   const auto bad = [](double x) { return !(std::abs(x) <= kLargestCoordinate); };
-  if (!any(positions, bad)) return;
+  if (!any_value(positions, bad)) return;
   const auto first = std::find_if(positions.begin(), positions.end(), bad);
   const auto count = std::count_if(first, positions.end(), bad);
   throw InputError(message("vertex ", (first - positions.begin()) / 3, " has the coordinate ", *first,
@@ -58,7 +51,7 @@ void check_offsets(std::span<const Index> offsets, std::size_t corner_count) {
 
 void check_corner_range(std::span<const Index> offsets, std::span<const Index> corners, Index vertex_count) {
   const auto bad = [=](Index v) { return (v < 0) | (v >= vertex_count); }; // NOLINT(hicpp-signed-bitwise)
-  if (!any(corners, bad)) return;
+  if (!any_value(corners, bad)) return;
   const auto first = std::find_if(corners.begin(), corners.end(), bad);
   const auto place = static_cast<Index>(first - corners.begin());
   const auto face = std::upper_bound(offsets.begin(), offsets.end(), place) - offsets.begin() - 1;

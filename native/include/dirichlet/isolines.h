@@ -5,15 +5,16 @@
 #include <span>
 #include <vector>
 
+#include "dirichlet/buffer.h"
 #include "dirichlet/mesh.h"
 
 namespace dirichlet {
 
 /// Polylines in one set of arrays: line l is points offsets[l] … offsets[l+1). P points, L lines.
 struct Isolines {
-  std::vector<double> points;       ///< (P, 3) on the surface, in the unit of the positions
-  std::vector<Index> edges;         ///< (P, 2) the mesh edge or polygon diagonal of every point, smaller vertex first
-  std::vector<double> t;            ///< (P,) in [0, 1], from the first vertex of the edge to the second
+  Buffer<double> points;            ///< (P, 3) on the surface, in the unit of the positions
+  Buffer<Index> edges;              ///< (P, 2) the mesh edge or polygon diagonal of every point, smaller vertex first
+  Buffer<double> t;                 ///< (P,) in [0, 1], from the first vertex of the edge to the second
   std::vector<Index> offsets;       ///< (L + 1,)
   std::vector<std::uint8_t> closed; ///< (L,) 1: the last point joins the first (which is not repeated)
   std::vector<Index> level;         ///< (L,) index into the levels asked for; ascending

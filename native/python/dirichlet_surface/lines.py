@@ -65,13 +65,12 @@ def isolines(mesh: Mesh, values: ArrayLike, levels: ArrayLike) -> Isolines:
 
 
 def _level_warnings(field: Reals, levels: Reals) -> tuple[str, ...]:
-    defined = field[~np.isnan(field)]
     warnings = []
     repeated = len(levels) - len(np.unique(levels))
     if repeated:
         warnings.append(f"{repeated} of {len(levels)} levels repeat another and are counted once")
-    if defined.size:
-        low, high = defined.min(), defined.max()
+    low, high = np.fmin.reduce(field), np.fmax.reduce(field)  # of what is not NaN, without a copy
+    if low <= high:
         outside = np.count_nonzero((levels < low) | (levels > high))
         if outside:
             warnings.append(f"{outside} of {len(levels)} levels lie outside the field's range {low:.6g} to {high:.6g}")
