@@ -17,6 +17,7 @@
 #include "memory.h"
 #include "message.h"
 #include "painting_checks.h"
+#include "parallel.h"
 #include "region_search.h"
 #include "stopwatch.h"
 #include "twin.h"
@@ -92,13 +93,14 @@ HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options) {
   base_.connectivity_seconds = mesh.build_seconds();
   with_memory(base_.vertices, [&] {
     const Stopwatch watch;
+    auto pieces = in_background(at(base_.vertices), [&mesh] { return mesh.components(); });
     SparseMatrix K = graph_stiffness(mesh);
     base_.laplacian_seconds = watch.seconds();
     solver_ = make_solver(std::move(K), options);
     const std::span<const Index> order = solver_->order();
     position_.resize(order.size());
     for (std::size_t row = 0; row < order.size(); ++row) position_[at(order[row])] = static_cast<Index>(row);
-    rows_ = std::make_unique<FixedRows>(solver_->matrix());
+    rows_ = std::make_unique<FixedRows>(pieces.get(), order);
   });
   const SolverStatistics& statistics = solver_->statistics();
   base_.method = statistics.method;

@@ -5,11 +5,13 @@
 
 namespace dirichlet {
 
-FixedRows::FixedRows(const SparseView& K)
-    : pieces_(free_regions(K, Mask(at(static_cast<Index>(K.rows())), 0))), size_(at(pieces_.count), 0),
-      ruled_(at(pieces_.count), 0), fixed_(pieces_.label.size(), 1),
-      undefined_count_(static_cast<Index>(fixed_.size())) {
-  for (const Index piece : pieces_.label) ++size_[at(piece)];
+FixedRows::FixedRows(const Components& pieces, std::span<const Index> order)
+    : piece_(order.size()), size_(at(pieces.count), 0), ruled_(at(pieces.count), 0), fixed_(order.size(), 1),
+      undefined_count_(static_cast<Index>(order.size())) {
+  for (std::size_t row = 0; row < order.size(); ++row) {
+    piece_[row] = pieces.label[at(order[row])];
+    ++size_[at(piece_[row])];
+  }
 }
 
 bool FixedRows::paint(std::span<const Index> painted) {
@@ -17,7 +19,7 @@ bool FixedRows::paint(std::span<const Index> painted) {
   Index count = 0;
   for (const Index row : painted) {
     count += std::exchange(fixed[at(row)], 1) == 0 ? 1 : 0;
-    ruled[at(pieces_.label[at(row)])] = 1;
+    ruled[at(piece_[at(row)])] = 1;
   }
   ruled_.swap(ruled);
   painted_count_ = count;

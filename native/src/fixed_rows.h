@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dirichlet/injection.h"
+#include "dirichlet/mesh.h"
 #include "index.h"
 
 namespace dirichlet {
@@ -13,15 +14,15 @@ namespace dirichlet {
 /// where the system would be singular.
 class FixedRows {
  public:
-  /// Nothing painted. Cost: O(n + non-zeros).
-  explicit FixedRows(const SparseView& K);
+  /// Nothing painted. \param pieces  of the surface, by vertex; \param order  (n,) the vertex of every row. Cost: O(n).
+  FixedRows(const Components& pieces, std::span<const Index> order);
 
   /// \param painted  rows, any order, repeated at will. Cost: O(n). Changes nothing when it throws.
   /// \returns  whether other rows are fixed now
   bool paint(std::span<const Index> painted);
 
   [[nodiscard]] const Mask& fixed() const { return fixed_; } ///< (n,)
-  [[nodiscard]] bool is_undefined(Index row) const { return ruled_[at(pieces_.label[at(row)])] == 0; }
+  [[nodiscard]] bool is_undefined(Index row) const { return ruled_[at(piece_[at(row)])] == 0; }
   [[nodiscard]] Index painted_count() const { return painted_count_; } ///< distinct
   [[nodiscard]] Index undefined_count() const { return undefined_count_; }
   [[nodiscard]] Index free_count() const {
@@ -29,9 +30,9 @@ class FixedRows {
   }
 
  private:
-  FreeRegions pieces_;      ///< of the whole surface
-  std::vector<Index> size_; ///< rows of every piece
-  Mask ruled_;              ///< pieces with paint
+  std::vector<Index> piece_; ///< (n,) of every row
+  std::vector<Index> size_;  ///< rows of every piece
+  Mask ruled_;               ///< pieces with paint
   Mask fixed_;
   Index painted_count_ = 0, undefined_count_ = 0;
 };

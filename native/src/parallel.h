@@ -11,8 +11,8 @@
 
 namespace dirichlet {
 
-/// The most threads that one call may use; 0 for as many as there are cores. For tests, and hosts that want a core
-/// left.
+/// The most threads that a piece of work is shared out to; 0 for as many as there are cores. With 1, a call stays in
+/// its caller's thread. For tests, and hosts that want a core left.
 inline std::atomic<unsigned> thread_limit{0};
 
 inline std::size_t core_count() {
@@ -35,6 +35,15 @@ void parallel_chunks(std::size_t count, std::size_t grain, const F& f) {
   for (std::size_t k = 1; k < pieces; ++k) others.push_back(std::async(policy, std::cref(f), start(k), start(k + 1)));
   f(std::size_t{0}, start(1));
   for (auto& other : others) other.get();
+}
+
+/// f() beside what the caller does until it asks for the result; not before then where there is one core, or where so
+/// few items are done before another thread has started.
+template <class F>
+auto in_background(std::size_t items, const F& f) {
+  constexpr std::size_t kWorthThread = 1 << 12;
+  const bool alone = core_count() == 1 || items < kWorthThread;
+  return std::async(alone ? std::launch::deferred : std::launch::async | std::launch::deferred, f);
 }
 
 } // namespace dirichlet
