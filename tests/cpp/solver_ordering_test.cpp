@@ -170,6 +170,15 @@ TEST(FillReducingOrder, hardly_depends_on_the_numbering_of_the_vertices) {
   }
 }
 
+TEST(MinimumDegreeOrder, fills_in_nothing_on_stars_and_little_on_surfaces) {
+  const auto cost = [](const Rows& graph) {
+    return elimination_cost(graph.offsets, graph.neighbours, minimum_degree_order(graph.offsets, graph.neighbours));
+  };
+  EXPECT_EQ(cost(stars(300, 20)).entries, 300 * 41);
+  const Rows graph = mesh_rows(makers::grid(60, 60));
+  EXPECT_LE(cost(graph).flops, 1.1 * minimum_degree_cost(graph).flops);
+}
+
 TEST(FillReducingOrder, fills_in_nothing_on_stars_and_forests_of_isolated_vertices) {
   const Rows graph = stars(300, 20);
   EXPECT_EQ(cost(graph).entries, 300 * 41);

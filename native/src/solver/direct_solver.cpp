@@ -25,7 +25,7 @@ Graph graph_of(const SparseMatrix& K) {
           {K.innerIndexPtr(), static_cast<std::size_t>(K.nonZeros())}};
 }
 
-/// Dissection pays on large surfaces.
+/// Dissection pays on large surfaces: minimum degree is quicker, but on regular ones fills up to three times as much.
 std::vector<Index> elimination_order(const Graph& graph) {
   constexpr Index kSmall = 25'000;
   return graph.size() <= kSmall

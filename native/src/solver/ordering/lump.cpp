@@ -17,7 +17,7 @@ std::vector<Index> order_lump(const Graph& graph) {
     pattern.outerIndexPtr()[v] = end;
     pattern.innerIndexPtr()[end++] = v; // Eigen takes a column without its diagonal for a dense one
     for (Index e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e)
-      pattern.innerIndexPtr()[end++] = graph.neighbours[e];
+      if (graph.neighbours[e] != v) pattern.innerIndexPtr()[end++] = graph.neighbours[e];
   }
   pattern.outerIndexPtr()[graph.size] = end;
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> eliminated;
