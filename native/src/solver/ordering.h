@@ -20,9 +20,9 @@ namespace dirichlet {
 std::vector<Index> fill_reducing_order(std::span<const Index> offsets, std::span<const Index> neighbours,
                                        unsigned threads = std::thread::hardware_concurrency());
 
-/// The same by approximate minimum degree (Amestoy, Davis & Duff 1996): quicker; as good on most
-/// small surfaces, but regular ones are up to three times the work, and renumbering them makes that worse. On one
-/// thread; cost, for meshes: about O(n log n).
+/// The same by approximate minimum degree (Amestoy, Davis & Duff 1996): quicker, and as good on most small surfaces;
+/// but regular ones may take three times the operations, and more if they are renumbered. On one thread; cost, for
+/// meshes: about O(n log n).
 std::vector<Index> minimum_degree_order(std::span<const Index> offsets, std::span<const Index> neighbours);
 
 } // namespace dirichlet
