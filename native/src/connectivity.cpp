@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "index.h"
-#include "parallel.h"
+#include "parallel_collect.h"
 
 namespace dirichlet {
 namespace {
@@ -35,7 +35,9 @@ template <class Visit>
 void for_each_half_edge(std::span<const Index> offsets, std::span<const Index> corners, Visit visit) {
   for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
     const Index begin = offsets[f], last = offsets[f + 1] - 1;
-    for (Index c = begin; c < last; ++c) visit(c, corners[at(c)], corners[at(c) + 1]);
+    visit(begin, corners[at(begin)], corners[at(begin) + 1]); // there are three at least: no loop for a triangle
+    visit(begin + 1, corners[at(begin) + 1], corners[at(begin) + 2]);
+    for (Index c = begin + 2; c < last; ++c) visit(c, corners[at(c)], corners[at(c) + 1]);
     visit(last, corners[at(last)], corners[at(begin)]);
   }
 }
@@ -75,20 +77,6 @@ void sort_bucket(std::span<HalfEdge> bucket) {
   }
 }
 
-/// Calls visit(smaller vertex, its half-edges to one larger vertex) for every edge of the vertices [begin, end),
-/// sorted.
-template <class Visit>
-void for_each_edge(const Buckets& buckets, std::size_t begin, std::size_t end, Visit visit) {
-  const std::span<const HalfEdge> half_edges = buckets.half_edges;
-  for (std::size_t v = begin; v < end; ++v) {
-    const std::size_t stop = at(buckets.starts[v + 1]);
-    for (std::size_t i = at(buckets.starts[v]), j = i; i < stop; i = j) {
-      while (j < stop && larger_vertex(half_edges[j]) == larger_vertex(half_edges[i])) ++j;
-      visit(static_cast<Index>(v), half_edges.subspan(i, j - i));
-    }
-  }
-}
-
 /// The half-edges of one edge learn of each other.
 void link(std::span<const HalfEdge> edge, Buffer<Index>& opposite) {
   if (edge.size() == 2) {
@@ -104,28 +92,23 @@ void link(std::span<const HalfEdge> edge, Buffer<Index>& opposite) {
 
 Connectivity build_connectivity(Index vertex_count, std::span<const Index> offsets, std::span<const Index> corners) {
   Buckets buckets = fill_buckets(vertex_count, offsets, corners);
-  constexpr std::size_t kGrain = 1 << 13;
-  Buffer<Index> first_edge(at(vertex_count) +
-                           1); // how many edges have a vertex as their smaller one; then where they start
-  parallel_chunks(at(vertex_count), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v)
-      sort_bucket({buckets.half_edges.data() + buckets.starts[v], buckets.half_edges.data() + buckets.starts[v + 1]});
-    std::fill(first_edge.data() + begin, first_edge.data() + end, 0);
-    for_each_edge(buckets, begin, end, [&](Index v, std::span<const HalfEdge>) { ++first_edge[at(v)]; });
-  });
-  first_edge.back() = 0;
-  std::exclusive_scan(first_edge.begin(), first_edge.end(), first_edge.begin(), Index{0});
-
   Connectivity out;
-  out.edges.resize(2 * at(first_edge.back()));
   out.opposite.resize(corners.size());
-  parallel_chunks(at(vertex_count), kGrain, [&](std::size_t begin, std::size_t end) {
-    Index* ends = out.edges.data() + 2 * at(first_edge[begin]);
-    for_each_edge(buckets, begin, end, [&](Index v, std::span<const HalfEdge> edge) {
-      *ends++ = v;
-      *ends++ = larger_vertex(edge[0]);
-      link(edge, out.opposite);
-    });
+  constexpr std::size_t kGrain = 1 << 13;
+  out.edges = parallel_collect<Index>(at(vertex_count), kGrain, [&](std::size_t begin, std::size_t end, auto& edges) {
+    edges.reserve(2 *
+                  at(buckets.starts[end] - buckets.starts[begin])); // if all are borders; unwritten, it costs nothing
+    for (std::size_t v = begin; v < end; ++v) {
+      const std::span bucket(buckets.half_edges.data() + buckets.starts[v],
+                             buckets.half_edges.data() + buckets.starts[v + 1]);
+      sort_bucket(bucket);
+      for (std::size_t i = 0, j = 0; i < bucket.size(); i = j) {
+        while (j < bucket.size() && larger_vertex(bucket[j]) == larger_vertex(bucket[i])) ++j;
+        edges.push_back(static_cast<Index>(v));
+        edges.push_back(larger_vertex(bucket[i]));
+        link(bucket.subspan(i, j - i), out.opposite);
+      }
+    }
   });
   return out;
 }

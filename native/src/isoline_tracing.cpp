@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
-#include <map>
-#include <mutex>
 
 #include "dirichlet/error.h"
 #include "index.h"
 #include "message.h"
-#include "parallel.h"
+#include "parallel_collect.h"
 #include "polygon_opposite.h"
 
 namespace dirichlet {
@@ -30,7 +27,7 @@ Range level_range(std::span<const Index> corners, std::span<const Index> numbers
 /// Adds the triangles of [begin, end) that any level crosses. Without a branch, which one triangle in ten would
 /// mispredict: each is written down, and the next overwrites those that do not count.
 void add_active(std::span<const Index> corners, std::span<const Index> numbers, std::size_t begin, std::size_t end,
-                std::vector<Index>& active) {
+                Buffer<Index>& active) {
   std::array<Index, 1024> block; // NOLINT(cppcoreguidelines-pro-type-member-init): written before it is read
   while (begin < end) {
     const std::size_t stop = std::min(end, begin + block.size());
@@ -45,29 +42,21 @@ void add_active(std::span<const Index> corners, std::span<const Index> numbers, 
 }
 
 /// The triangles that any level crosses, ascending.
-std::vector<Index> active_triangles(std::span<const Index> corners, std::span<const Index> numbers) {
-  std::map<std::size_t, std::vector<Index>> pieces; // by where they begin
-  std::mutex mutex;
-  parallel_chunks(corners.size() / 3, std::size_t{1} << 16, [&](std::size_t begin, std::size_t end) {
-    std::vector<Index> active;
+Buffer<Index> active_triangles(std::span<const Index> corners, std::span<const Index> numbers) {
+  constexpr std::size_t kGrain = 1 << 16;
+  return parallel_collect<Index>(corners.size() / 3, kGrain, [&](std::size_t begin, std::size_t end, auto& active) {
     add_active(corners, numbers, begin, end, active);
-    const std::scoped_lock lock(mutex);
-    pieces.emplace(begin, std::move(active));
   });
-  std::vector<Index> all = std::move(pieces.begin()->second);
-  for (auto piece = std::next(pieces.begin()); piece != pieces.end(); ++piece)
-    all.insert(all.end(), piece->second.begin(), piece->second.end());
-  return all;
 }
 
 /// A level that crosses a triangle does so from one half-edge, which goes down (from above the level to below), to
 /// another, which goes up. These are the *ends* of the crossing c: 2c and 2c + 1.
 struct Crossings {
-  std::vector<Index> active; ///< the triangles that any level crosses, ascending
-  Buffer<Index> base;        ///< (T,) level k crosses triangle f as number base[f] + k; of active ones only
-  Buffer<Index> level;       ///< (X,)
-  Buffer<Index> half_edge;   ///< (2X,) of every end
-  Buffer<Index> across;      ///< (2X,) the end on the other side of that half-edge, or -1
+  Buffer<Index> active;    ///< the triangles that any level crosses, ascending
+  Buffer<Index> base;      ///< (T,) level k crosses triangle f as number base[f] + k; of active ones only
+  Buffer<Index> level;     ///< (X,)
+  Buffer<Index> half_edge; ///< (2X,) of every end
+  Buffer<Index> across;    ///< (2X,) the end on the other side of that half-edge, or -1
 };
 
 /// Crossings are numbered by triangle, then by level.
