@@ -46,15 +46,12 @@ EliminationTasks cut(const SymbolicFactor& symbolic, Index most_columns) {
     const Index begin = whole(s) ? first[at(s)] : s;
     if (s >= symbolic.group[2] && result.shared < 0) result.shared = static_cast<Index>(result.tasks.size());
     std::fill(result.owner.begin() + begin, result.owner.begin() + s + 1, static_cast<Index>(result.tasks.size()));
-    result.tasks.push_back({begin, s, -1, 0, result.kept_size});
+    result.tasks.push_back({begin, s, -1, result.kept_size});
     result.kept_size += UpdateLayout::size(symbolic.row_count(s));
   }
   if (result.shared < 0) result.shared = static_cast<Index>(result.tasks.size());
   for (auto& task : result.tasks) {
-    if (const Index up = symbolic.parent[at(task.last)]; up >= 0) {
-      task.parent = result.owner[at(up)];
-      ++result.tasks[at(task.parent)].child_count;
-    }
+    if (const Index up = symbolic.parent[at(task.last)]; up >= 0) task.parent = result.owner[at(up)];
     result.stack_size = std::max(result.stack_size, stack_peak(symbolic, task));
   }
   return result;

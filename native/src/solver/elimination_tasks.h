@@ -33,7 +33,6 @@ struct EliminationTasks {
   struct Task {
     Index first, last;   ///< supernodes, last included
     Index parent;        ///< or -1
-    Index child_count;   ///< tasks that have to come before
     std::int64_t update; ///< where its update matrix is kept
   };
   std::vector<Task> tasks;     ///< children before parents

@@ -157,16 +157,6 @@ void place_rows(const EliminationForest& forest, const std::vector<Supernode>& s
 
 } // namespace
 
-double SymbolicFactor::flops() const {
-  double sum = 0;
-  for (Index s = 0; s < supernode_count(); ++s)
-    for (Index column = 0; column < width(s); ++column) {
-      const double below = width(s) - column + row_count(s);
-      sum += below * below;
-    }
-  return sum;
-}
-
 SymbolicFactor analyse(const Graph& graph, std::span<const Index> elimination_order) {
   const EliminationForest forest =
       eliminate(order_pattern(graph, elimination_order, inverse_permutation(elimination_order)));

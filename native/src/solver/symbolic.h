@@ -49,7 +49,6 @@ struct SymbolicFactor {
     return {rows.data() + row_offsets[at(s)], static_cast<std::size_t>(row_count(s))};
   }
   [[nodiscard]] std::int64_t factor_size() const { return panel_offsets.back(); } ///< numbers in all panels
-  [[nodiscard]] double flops() const; ///< multiplications and additions of a factorisation, about
 };
 
 /// Analyses a symmetric pattern in the given order of elimination (a permutation of its vertices), which is refined to

@@ -39,13 +39,15 @@ struct VectorOf<Real, 1> {
   using Type = Real;
 };
 
-#if defined(__FMA__)
+#if defined(__FMA__) || defined(__aarch64__)
 DIRICHLET_INLINE float fused(float v, float x, float y) {
   return __builtin_fmaf(-x, y, v);
 }
 DIRICHLET_INLINE double fused(double v, double x, double y) {
   return __builtin_fma(-x, y, v);
 }
+#endif
+#if defined(__FMA__)
 DIRICHLET_INLINE __m128 fused(__m128 v, __m128 x, __m128 y) {
   return _mm_fnmadd_ps(x, y, v);
 }
@@ -67,12 +69,6 @@ DIRICHLET_INLINE __m512d fused(__m512d v, __m512d x, __m512d y) {
 }
 #endif
 #elif defined(__aarch64__)
-DIRICHLET_INLINE float fused(float v, float x, float y) {
-  return __builtin_fmaf(-x, y, v);
-}
-DIRICHLET_INLINE double fused(double v, double x, double y) {
-  return __builtin_fma(-x, y, v);
-}
 DIRICHLET_INLINE float32x4_t fused(float32x4_t v, float32x4_t x, float32x4_t y) {
   return vfmsq_f32(v, x, y);
 }
