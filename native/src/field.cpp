@@ -97,6 +97,8 @@ HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options) {
     SparseMatrix K = graph_stiffness(mesh);
     base_.laplacian_seconds = watch.seconds();
     solver_ = make_solver(std::move(K), options);
+    constexpr Index kLarge = 500'000; // whose analysis took as much as the factor is about to take
+    if (base_.vertices >= kLarge) return_freed_memory();
     const std::span<const Index> order = solver_->order();
     position_.resize(order.size());
     for (std::size_t row = 0; row < order.size(); ++row) position_[at(order[row])] = static_cast<Index>(row);
@@ -160,6 +162,7 @@ Field HarmonicSolver::paint(std::span<const Index> painted, const Eigen::Ref<con
     if (std::ranges::equal(painted, painted_) && same(source, source_) && same(values, values_)) return unchanged();
     values_.resize(0, 0); // until all is done, the last painting is none to compare with
     repaint(painted, std::move(repeats));
+    if (base_.method != Method::multigrid) last_ = {}; // where an iteration would start; else it is only in the way
     last_ = compute(values, source, last_.values);
     source_.assign(source.begin(), source.end());
     values_ = values;

@@ -3,6 +3,9 @@
 
 #include <limits>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #ifdef _WIN32
 #define NOMINMAX
 #define WIN32_LEAN_AND_MEAN
@@ -23,6 +26,12 @@ std::int64_t physical_memory() {
   if (pages > 0 && page > 0) return pages * page;
 #endif
   return std::numeric_limits<std::int64_t>::max();
+}
+
+void return_freed_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 } // namespace dirichlet

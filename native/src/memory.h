@@ -13,6 +13,9 @@ namespace dirichlet {
 /// Bytes of memory this machine has; without bound where the system does not tell.
 std::int64_t physical_memory();
 
+/// Gives back to the system what was freed and would be kept for later. Cost: that of writing to it again.
+void return_freed_memory();
+
 /// f(), whose being denied memory is told like any other failure of a solver.
 template <class F>
 auto with_memory(Index vertices, const F& f) {

@@ -52,18 +52,20 @@ template <class Real = double>
 struct Problem {
   SparseMatrix K;
   std::shared_ptr<const SymbolicFactor> symbolic;
+  std::vector<Index> position; // of every vertex in the order
   Factor<Real> factor;
   Mask painted;
 
   explicit Problem(const SparseMatrix& matrix, std::int64_t most_kept = std::int64_t{1} << 40)
       : K(matrix), symbolic(std::make_shared<const SymbolicFactor>(
                        analyse(graph_of(K), fill_reducing_order(graph_of(K).offsets, graph_of(K).neighbours)))),
-        factor(symbolic, std::make_shared<const OrderedMatrix>(order_matrix(K, *symbolic)), most_kept),
+        position(inverse_permutation(symbolic->order)),
+        factor(symbolic, std::make_shared<const OrderedMatrix>(order_matrix(K, symbolic->order)), most_kept),
         painted(at(symbolic->size()), 0) {}
 
   Mask fixed() const {
     Mask mask(painted.size());
-    for (std::size_t v = 0; v < painted.size(); ++v) mask[at(symbolic->position[v])] = painted[v];
+    for (std::size_t v = 0; v < painted.size(); ++v) mask[at(position[v])] = painted[v];
     return mask;
   }
 
@@ -71,7 +73,7 @@ struct Problem {
     const auto k = static_cast<Index>(rhs.cols());
     std::vector<Real> x(painted.size() * at(k));
     for (Index i = 0; i < rhs.rows(); ++i)
-      for (Index c = 0; c < k; ++c) x[at(symbolic->position[at(i)] * k + c)] = static_cast<Real>(rhs(i, c));
+      for (Index c = 0; c < k; ++c) x[at(position[at(i)] * k + c)] = static_cast<Real>(rhs(i, c));
     factor.solve(x, k);
     return x;
   }
@@ -83,10 +85,9 @@ struct Problem {
     double worst = 0;
     for (Index i = 0; i < rhs.rows(); ++i)
       for (Index c = 0; c < rhs.cols(); ++c)
-        worst = std::max(worst,
-                         std::abs(expected(i, c) -
-                                  static_cast<double>(
-                                      x[at(symbolic->position[at(i)]) * at(static_cast<Index>(rhs.cols())) + at(c)])));
+        worst = std::max(
+            worst, std::abs(expected(i, c) -
+                            static_cast<double>(x[at(position[at(i)]) * at(static_cast<Index>(rhs.cols())) + at(c)])));
     return worst / std::max(1.0, expected.size() ? expected.cwiseAbs().maxCoeff() : 0.0);
   }
 
@@ -95,9 +96,9 @@ struct Problem {
     std::vector<Index> changed;
     for (const Index v : vertices) {
       painted[at(v)] ^= 1;
-      changed.push_back(symbolic->position[at(v)]);
+      changed.push_back(position[at(v)]);
       for (SparseMatrix::InnerIterator entry(K, v); entry; ++entry)
-        changed.push_back(symbolic->position[at(static_cast<Index>(entry.col()))]);
+        changed.push_back(position[at(static_cast<Index>(entry.col()))]);
     }
     return factor.refactor(fixed(), changed);
   }
@@ -120,10 +121,11 @@ TEST(Symbolic, holds_every_entry_of_the_factor_and_numbers_children_before_paren
     std::iota(order.begin(), order.end(), 0);
     std::shuffle(order.begin(), order.end(), std::mt19937(seed));
     const SymbolicFactor factor = analyse(graph_of(K), order);
+    const std::vector<Index> position = inverse_permutation(factor.order);
     std::vector<std::vector<bool>> entry(60, std::vector<bool>(60, false)); // elimination, one column after the other
     for (Index i = 0; i < 60; ++i)
       for (SparseMatrix::InnerIterator e(K, i); e; ++e)
-        entry[at(factor.position[at(static_cast<Index>(e.col()))])][at(factor.position[at(i)])] = true;
+        entry[at(position[at(static_cast<Index>(e.col()))])][at(position[at(i)])] = true;
     for (std::size_t j = 0; j < 60; ++j)
       for (std::size_t a = j + 1; a < 60; ++a)
         for (std::size_t b = j + 1; b < 60 && entry[a][j]; ++b)

@@ -24,7 +24,7 @@ struct Torus {
     std::iota(order.begin(), order.end(), 0);
     const Graph graph{{K.outerIndexPtr(), order.size() + 1}, {K.innerIndexPtr(), std::size_t(K.nonZeros())}};
     symbolic = std::make_shared<const SymbolicFactor>(analyse(graph, order));
-    matrix = std::make_shared<const OrderedMatrix>(order_matrix(K, *symbolic));
+    matrix = std::make_shared<const OrderedMatrix>(order_matrix(K, symbolic->order));
   }
 
   std::vector<double> solve() const {

@@ -14,23 +14,15 @@
 namespace dirichlet {
 namespace {
 
-SymbolicFactor order_by(std::vector<Index> order) {
-  SymbolicFactor symbolic;
-  symbolic.position.resize(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) symbolic.position[at(order[k])] = static_cast<Index>(k);
-  symbolic.order = std::move(order);
-  return symbolic;
-}
-
-SymbolicFactor shuffled(Index n) {
+std::vector<Index> shuffled(Index n) {
   std::vector<Index> order(at(n));
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), std::mt19937(3));
-  return order_by(std::move(order));
+  return order;
 }
 
 /// Every entry of K in its new place once, and where `upper` says those from the diagonal on.
-void expect_reordered(const SparseMatrix& K, const OrderedMatrix& ordered, const SymbolicFactor& symbolic) {
+void expect_reordered(const SparseMatrix& K, const OrderedMatrix& ordered, const std::vector<Index>& order) {
   ASSERT_EQ(ordered.size(), K.rows());
   ASSERT_EQ(ordered.offsets.back(), K.nonZeros());
   for (Index i = 0; i < ordered.size(); ++i) {
@@ -39,7 +31,7 @@ void expect_reordered(const SparseMatrix& K, const OrderedMatrix& ordered, const
     EXPECT_EQ(static_cast<Index>(columns.size()), ordered.offsets[at(i) + 1] - ordered.offsets[at(i)]) << i;
     for (Index e = ordered.offsets[at(i)]; e < ordered.offsets[at(i) + 1]; ++e) {
       const Index j = ordered.columns[at(e)];
-      EXPECT_EQ(ordered.values[at(e)], K.coeff(symbolic.order[at(i)], symbolic.order[at(j)])) << i << ' ' << j;
+      EXPECT_EQ(ordered.values[at(e)], K.coeff(order[at(i)], order[at(j)])) << i << ' ' << j;
       EXPECT_EQ(j >= i, e >= ordered.upper[at(i)]) << i << ' ' << j;
     }
   }
@@ -48,8 +40,8 @@ void expect_reordered(const SparseMatrix& K, const OrderedMatrix& ordered, const
 TEST(OrderedMatrix, is_the_matrix_renumbered) {
   SparseMatrix K = graph_stiffness(*makers::make_mesh(makers::torus(150, 130))); // large enough for two threads
   for (Index e = 0; e < K.nonZeros(); ++e) K.valuePtr()[e] = e;                  // no two alike
-  const SymbolicFactor symbolic = shuffled(static_cast<Index>(K.rows()));
-  expect_reordered(K, order_matrix(K, symbolic), symbolic);
+  const std::vector<Index> order = shuffled(static_cast<Index>(K.rows()));
+  expect_reordered(K, order_matrix(K, order), order);
 }
 
 TEST(OrderedMatrix, has_rows_of_any_length) {
@@ -62,12 +54,12 @@ TEST(OrderedMatrix, has_rows_of_any_length) {
   }
   SparseMatrix K(kSize, kSize);
   K.setFromTriplets(star.begin(), star.end());
-  const SymbolicFactor symbolic = shuffled(kSize);
-  expect_reordered(K, order_matrix(K, symbolic), symbolic);
+  const std::vector<Index> order = shuffled(kSize);
+  expect_reordered(K, order_matrix(K, order), order);
 }
 
 TEST(OrderedMatrix, of_nothing_is_empty) {
-  const OrderedMatrix ordered = order_matrix(SparseMatrix(0, 0), order_by({}));
+  const OrderedMatrix ordered = order_matrix(SparseMatrix(0, 0), {});
   EXPECT_EQ(ordered.size(), 0);
   EXPECT_EQ(ordered.offsets, std::vector<Index>{0});
 }

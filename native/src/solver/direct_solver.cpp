@@ -42,7 +42,7 @@ template <class Real>
 class DirectSolver final : public Solver {
  public:
   DirectSolver(const SparseMatrix& K, const Analysis& analysis, std::int64_t most_kept, const SolverOptions& options)
-      : symbolic_(analysis.symbolic), matrix_(std::make_shared<const OrderedMatrix>(order_matrix(K, *symbolic_))),
+      : symbolic_(analysis.symbolic), matrix_(std::make_shared<const OrderedMatrix>(order_matrix(K, symbolic_->order))),
         factor_(symbolic_, matrix_, most_kept), tolerance_(options.tolerance.value_or(kTwinTolerance)),
         max_iterations_(options.max_iterations.value_or(kMostTwinIterations)) {
     statistics_ = {Method::direct, K.nonZeros(), symbolic_->factor_size(), analysis.seconds};

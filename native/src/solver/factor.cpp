@@ -35,7 +35,7 @@ template <class Real>
 std::int64_t count_bytes(const SymbolicFactor& symbolic, const EliminationTasks& tasks, std::int64_t entries) {
   const std::int64_t n = symbolic.size(), supernodes = symbolic.supernode_count();
   const std::int64_t numbers = symbolic.factor_size() + tasks.kept_size + 2 * tasks.stack_size;
-  const std::int64_t of_symbolic = 3 * n + 2 * supernodes + static_cast<std::int64_t>(symbolic.rows.size());
+  const std::int64_t of_symbolic = 2 * n + 2 * supernodes + static_cast<std::int64_t>(symbolic.rows.size());
   const std::int64_t of_matrix = 2 * n + entries, of_factor = 2 * n;
   const std::int64_t of_trees = 3 * supernodes; // children, and the tasks that supernodes belong to
   return numbers * std::int64_t{sizeof(Real)} +

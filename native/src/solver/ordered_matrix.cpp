@@ -66,13 +66,13 @@ OrderedPattern order_pattern(const Graph& graph, std::span<const Index> order, s
   return pattern;
 }
 
-OrderedMatrix order_matrix(const SparseMatrix& K, const SymbolicFactor& symbolic) {
+OrderedMatrix order_matrix(const SparseMatrix& K, std::span<const Index> order) {
   const Graph graph{{K.outerIndexPtr(), at(static_cast<Index>(K.rows())) + 1},
                     {K.innerIndexPtr(), static_cast<std::size_t>(K.nonZeros())}};
   OrderedMatrix matrix;
-  resize(matrix, graph, symbolic.order);
+  resize(matrix, graph, order);
   matrix.values.resize(matrix.columns.size());
-  renumber<true>(graph, K.valuePtr(), symbolic.order, symbolic.position, matrix, matrix.values.data());
+  renumber<true>(graph, K.valuePtr(), order, inverse_permutation(order), matrix, matrix.values.data());
   return matrix;
 }
 

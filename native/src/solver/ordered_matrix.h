@@ -31,8 +31,8 @@ struct OrderedMatrix : OrderedPattern {
 /// \param order  a permutation of the vertices, \param position  its inverse. Cost: O(entries), on all threads.
 OrderedPattern order_pattern(const Graph& graph, std::span<const Index> order, std::span<const Index> position);
 
-/// \param K  compressed, with a symmetric pattern. Cost: O(entries), on all threads.
-OrderedMatrix order_matrix(const SparseMatrix& K, const SymbolicFactor& symbolic);
+/// \param K  compressed, with a symmetric pattern; \param order  as above. Cost: O(entries), on all threads.
+OrderedMatrix order_matrix(const SparseMatrix& K, std::span<const Index> order);
 
 /// position[order[k]] = k
 std::vector<Index> inverse_permutation(std::span<const Index> order);

@@ -46,7 +46,7 @@ Index refine(const SparseView& K, const Mask& mask, const Factor<float>& factor,
 
   const Eigen::ArrayXd goal = tolerance * free_dots(mask, rhs, rhs).sqrt();
   Eigen::ArrayXd norm = goal / tolerance, rz = Eigen::ArrayXd::Zero(r.cols());
-  Block z(r.rows(), r.cols()), p, q;
+  Block p, q(r.rows(), r.cols()); // the direction; A p, and before that the preconditioned r
   std::vector<float> work;
   bool restart = true;
   for (Index step = 0;; ++step) {
@@ -61,12 +61,11 @@ Index refine(const SparseView& K, const Mask& mask, const Factor<float>& factor,
       throw SolverError(message("refinement of the float32 factor stopped at the relative residual ",
                                 (norm / goal).maxCoeff() * tolerance, " after ", step,
                                 " steps, short of the tolerance ", tolerance));
-    precondition(factor, r, norm, work, z);
+    precondition(factor, r, norm, work, q);
     const Eigen::ArrayXd last = rz;
-    rz = (norm <= goal).select(0, free_dots(mask, r, z));
-    if (!restart) add_columns(p, quotient(rz, last), z);
-    std::swap(p, z);
-    z.resize(p.rows(), p.cols());
+    rz = (norm <= goal).select(0, free_dots(mask, r, q));
+    if (!restart) add_columns(p, quotient(rz, last), q);
+    std::swap(p, q);
     restart = false;
     multiply_twin(K, mask, p, q);
     const Eigen::ArrayXd length = quotient(rz, free_dots(mask, p, q));

@@ -167,7 +167,6 @@ SymbolicFactor analyse(const Graph& graph, std::span<const Index> elimination_or
   place_rows(forest, supernodes, old, position, factor);
   factor.order.resize(position.size());
   for (std::size_t j = 0; j < position.size(); ++j) factor.order[at(position[j])] = elimination_order[j];
-  factor.position = inverse_permutation(factor.order);
   return factor;
 }
 

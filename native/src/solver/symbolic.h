@@ -27,7 +27,6 @@ struct Graph {
 /// child is numbered before its parent, and the descendants of a supernode stand right before it unless it is shared.
 struct SymbolicFactor {
   std::vector<Index> order;                ///< (n,) the vertex at every position
-  std::vector<Index> position;             ///< (n,) its inverse
   std::vector<Index> columns;              ///< (S + 1,) supernode s has the columns columns[s] … columns[s + 1)
   std::vector<Index> owner;                ///< (n,) the supernode of every column
   std::vector<Index> parent;               ///< (S,) or -1 at a root
