@@ -96,8 +96,7 @@ Connectivity build_connectivity(Index vertex_count, std::span<const Index> offse
   out.opposite.resize(corners.size());
   constexpr std::size_t kGrain = 1 << 13;
   out.edges = parallel_collect<Index>(at(vertex_count), kGrain, [&](std::size_t begin, std::size_t end, auto& edges) {
-    // If all are borders; room that is not written costs nothing.
-    edges.reserve(2 * at(buckets.starts[end] - buckets.starts[begin]));
+    edges.reserve(at(buckets.starts[end] - buckets.starts[begin])); // enough for a closed surface
     for (std::size_t v = begin; v < end; ++v) {
       const std::span bucket(buckets.half_edges.data() + buckets.starts[v],
                              buckets.half_edges.data() + buckets.starts[v + 1]);

@@ -97,8 +97,8 @@ HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options) {
     SparseMatrix K = graph_stiffness(mesh);
     base_.laplacian_seconds = watch.seconds();
     solver_ = make_solver(std::move(K), options);
-    constexpr Index kLarge = 500'000; // whose analysis took as much as the factor is about to take
-    if (base_.vertices >= kLarge) return_freed_memory();
+    constexpr Index kLarge = 500'000; // whose analysis took about as much as the factor is going to
+    if (solver_->statistics().method == Method::direct && base_.vertices >= kLarge) return_freed_memory();
     const std::span<const Index> order = solver_->order();
     position_.resize(order.size());
     for (std::size_t row = 0; row < order.size(); ++row) position_[at(order[row])] = static_cast<Index>(row);
@@ -232,8 +232,8 @@ Field HarmonicSolver::compute(const Eigen::Ref<const Eigen::MatrixXd>& values, s
   const FieldRange range = hand_out(x, solver_->order(), *rows_, ranges ? &*ranges : nullptr, field.values);
   if (!std::isfinite(range.minimum) || !std::isfinite(range.maximum))
     throw SolverError("the source lifts the field beyond the largest number");
-  report.minimum = range.minimum;
-  report.maximum = range.maximum;
+  report.minimum = range.minimum + 0.0; // 0 for -0: of equal ones, any thread's may come first
+  report.maximum = range.maximum + 0.0;
   report.outside = range.projected.count;
   report.farthest_outside = range.projected.farthest;
   report.painted_minimum = values.minCoeff();

@@ -61,7 +61,7 @@ struct Crossings {
 
 /// Crossings are numbered by triangle, then by level.
 Crossings number_crossings(std::span<const Index> corners, std::span<const Index> numbers) {
-  constexpr std::int64_t kMost = std::int64_t{1} << 30; // ends, and points, are counted in 32 bits
+  constexpr std::int64_t kMost = (std::int64_t{1} << 30) - 1; // two ends each, or points, are counted in 32 bits
   Crossings crossings;
   crossings.active = active_triangles(corners, numbers);
   crossings.base.resize(corners.size() / 3);
@@ -79,10 +79,6 @@ Crossings number_crossings(std::span<const Index> corners, std::span<const Index
   crossings.half_edge.resize(2 * count);
   crossings.across.resize(2 * count);
   return crossings;
-}
-
-Index next(Index corner) {
-  return corner % 3 == 2 ? corner - 2 : corner + 1;
 }
 
 /// Finds out how crossings go on in the triangle's neighbours.
@@ -117,7 +113,7 @@ class CrossingLinker {
   /// starts at the same vertex, goes the same way.
   [[nodiscard]] Index across(Index half_edge, Index up, Index level) const {
     const Index other = opposite(half_edge);
-    if (other < 0 || number(next(next(other))) == kUndefined) return -1;
+    if (other < 0 || number(next_in_triangle(next_in_triangle(other))) == kUndefined) return -1;
     const bool turned = corners_[at(other)] == corners_[at(half_edge)];
     return 2 * (crossings_.base[at(other / 3)] + level) + (turned ? up : 1 - up);
   }

@@ -27,7 +27,7 @@ struct Traces {
 
 /// The lines of all levels over mesh.triangulated(). All triangles are looked at once, in order, and where a line goes
 /// on is found there and then: following lines through a large mesh would wait for memory at every step.
-/// \throws InputError  more than 2^30 crossings of triangles and levels. Cost: O(T + crossings).
+/// \throws InputError  2^30 crossings of triangles and levels or more. Cost: O(T + crossings).
 Traces trace_lines(const Mesh& mesh, std::span<const Index> numbers);
 
 } // namespace dirichlet

@@ -119,8 +119,7 @@ class LinePlacer {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): written before they are read
     std::array<double, 3 * kBlock> from, to, share;
     for (std::size_t k = 0; k < half_edges.size(); ++k) {
-      const Index half_edge = half_edges[k], other = half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
-      const Index one = corners_[at(half_edge)], two = corners_[at(other)];
+      const Index one = corners_[at(half_edges[k])], two = corners_[at(next_in_triangle(half_edges[k]))];
       const Index i = std::min(one, two), j = std::max(one, two);
       const double t = crossing(field_[at(i)], field_[at(j)], level);
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -194,6 +193,7 @@ void close_gaps(Isolines& lines, std::span<const Index> counts) {
   for (std::size_t l = 0; l < counts.size(); ++l) {
     if (counts[l] == 0) continue;
     const auto move = [from = starts[l], to, count = counts[l]](auto& values, std::ptrdiff_t width) {
+      if (from == to) return; // nothing has gone yet
       const auto first = values.begin() + from * width;
       std::move(first, first + count * width, values.begin() + to * width);
     };

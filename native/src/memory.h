@@ -13,7 +13,8 @@ namespace dirichlet {
 /// Bytes of memory this machine has; without bound where the system does not tell.
 std::int64_t physical_memory();
 
-/// Gives back to the system what was freed and would be kept for later. Cost: that of writing to it again.
+/// Gives back to the system what the whole process has freed and would keep for later. Cost: that of writing to it
+/// again.
 void return_freed_memory();
 
 /// f(), whose being denied memory is told like any other failure of a solver.

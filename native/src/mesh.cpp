@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "any_value.h"
 #include "connectivity.h"
@@ -99,8 +98,8 @@ class FaceCleaner {
     Index* end = to;
     for (const Index v : in)
       if (end == to || end[-1] != v) *end++ = v;
-    while (end > to + 1 && end[-1] == *to) --end;
-    if (end < to + 3)
+    while (end - to > 1 && end[-1] == *to) --end;
+    if (end - to < 3)
       throw TopologyError(message("face ", face, " has fewer than three different vertices: it ",
                                   front < 0 ? "has no corners" : message("begins with vertex ", front)));
     for (const Index* v = to; v != end; ++v) {

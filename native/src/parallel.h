@@ -11,8 +11,8 @@
 
 namespace dirichlet {
 
-/// The most threads that a piece of work is shared out to; 0 for as many as there are cores. With 1, a call stays in
-/// its caller's thread. For tests, and hosts that want a core left.
+/// The most threads that a piece of work is shared out to, beside which one more may search in the background; 0 for as
+/// many as there are cores. With 1, a call stays in its caller's thread. For tests, and hosts that want a core left.
 inline std::atomic<unsigned> thread_limit{0};
 
 inline std::size_t core_count() {

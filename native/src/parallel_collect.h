@@ -23,7 +23,10 @@ Buffer<T> parallel_collect(std::size_t count, std::size_t grain, const F& f) {
     const std::scoped_lock lock(mutex);
     pieces.emplace(begin, std::move(piece));
   });
+  std::size_t total = 0;
+  for (const auto& [begin, piece] : pieces) total += piece.size();
   Buffer<T> all = std::move(pieces.begin()->second);
+  all.reserve(total);
   for (auto piece = std::next(pieces.begin()); piece != pieces.end(); ++piece)
     all.insert(all.end(), piece->second.begin(), piece->second.end());
   return all;

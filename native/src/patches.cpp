@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "dirichlet/error.h"
+#include "index.h"
 #include "message.h"
 #include "openmesh_session.h"
 #include "union_find.h"
@@ -15,10 +16,6 @@ namespace dirichlet {
 namespace {
 
 using HalfEdgeMesh = OpenMesh::PolyConnectivity; // a half-edge mesh without coordinates
-
-constexpr std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
 
 void check_range(std::span<const std::vector<Index>> patches, Index vertex_count) {
   const auto bad = [=](Index v) { return v < 0 || v >= vertex_count; };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "index.h"
+
 namespace dirichlet {
 namespace {
 
@@ -14,16 +16,12 @@ struct Corners {
 
 using Ends = std::pair<Index, Index>;
 
-std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
-
 Ends sorted(Index a, Index b) {
   return a < b ? Ends{a, b} : Ends{b, a};
 }
 
 Ends ends_in_triangle(std::span<const Index> triangles, Index corner) {
-  return sorted(triangles[at(corner)], triangles[at(corner % 3 == 2 ? corner - 2 : corner + 1)]);
+  return sorted(triangles[at(corner)], triangles[at(next_in_triangle(corner))]);
 }
 
 /// A polygon of k corners makes k - 2 triangles.

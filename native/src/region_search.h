@@ -8,7 +8,8 @@
 
 namespace dirichlet {
 
-/// Finds the regions of the free rows on another core, while the system is factored and solved: they are needed last.
+/// Finds the regions of the free rows on another core, while the system is factored and solved: they are needed last,
+/// and with a source not at all. What begins another search, or ends, waits for the one that runs.
 class RegionSearch {
  public:
   /// \param K  whose arrays outlive the search

@@ -18,7 +18,7 @@ Eigen::ArrayXd free_dots(const Mask& mask, const Block& a, const Block& b);
 void add_columns(const Block& b, const Eigen::ArrayXd& factors, Block& a);
 
 /// ‖rhs − A x‖ / ‖rhs‖ over the rows that are not fixed, or the norm above alone where rhs is 0: the worst column. NaN
-/// if x has a number there that is not finite. Cost: O(k non-zeros), on all cores, no memory.
+/// if x has a number there that is not finite. Cost: O(k non-zeros), on all cores, hardly any memory.
 double relative_residual(const SparseView& K, const Mask& mask, const Block& rhs, const Block& x);
 
 } // namespace dirichlet

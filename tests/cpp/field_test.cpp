@@ -206,15 +206,22 @@ TEST(Field, one_vertex_painted_twice_with_one_value_is_fine) {
 TEST(Field, of_a_mesh_large_enough_for_dissection_is_right_and_the_same_on_one_thread) {
   const auto mesh = make_mesh(makers::torus(260, 200));
   const std::vector<Index> painted{0, 777, 26'100};
-  const auto solve_all = [&] { return HarmonicSolver(*mesh, painted).solve(column({0, 1, 2})); };
+  Eigen::MatrixXd values(3, 4); // columns enough for several threads to hand the field out
+  values << 0, 1, 5, -0.0, 1, 1, 6, 0.0, 2, 1, 7, 0.0;
+  const auto solve_all = [&] { return HarmonicSolver(*mesh, painted).solve(values); };
   const Field field = solve_all();
   EXPECT_LE(field.report.relative_residual, 1e-10);
-  EXPECT_GE(field.values.minCoeff(), 0);
-  EXPECT_LE(field.values.maxCoeff(), 2);
+  EXPECT_EQ(field.report.minimum, 0);
+  EXPECT_FALSE(std::signbit(field.report.minimum));
+  EXPECT_EQ(field.report.maximum, 7);
   thread_limit = 1;
   const Field alone = solve_all();
   thread_limit = 0;
   EXPECT_EQ(field.values, alone.values);
+  EXPECT_EQ(field.report.minimum, alone.report.minimum);
+  EXPECT_EQ(field.report.maximum, alone.report.maximum);
+  EXPECT_EQ(field.report.outside, alone.report.outside);
+  EXPECT_EQ(field.report.farthest_outside, alone.report.farthest_outside);
 }
 
 TEST(FieldRefuses, paint_that_makes_no_sense_naming_it) {

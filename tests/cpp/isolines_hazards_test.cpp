@@ -186,5 +186,14 @@ TEST(IsolineHazards, bad_numbers_are_refused_by_place) {
   EXPECT_REFUSED(extract_isolines(*mesh, field, Levels{1}), InputError, "vertex 5", "1 more value");
 }
 
+TEST(IsolinesRefuse, more_crossings_than_can_be_counted) {
+  const auto mesh = make_mesh(makers::torus(150, 140)); // 42,000 triangles
+  std::vector<double> field(150 * 140);
+  for (std::size_t v = 0; v < field.size(); ++v) field[v] = v % 2 == 0 ? 0 : 1;
+  std::vector<double> levels(40'000);
+  for (std::size_t k = 0; k < levels.size(); ++k) levels[k] = static_cast<double>(k + 1) / 50'000;
+  EXPECT_REFUSED(extract_isolines(*mesh, field, levels), InputError, "cross the triangles", "times");
+}
+
 } // namespace
 } // namespace dirichlet

@@ -8,6 +8,7 @@
 #include "dirichlet/levels.h"
 #include "line_checks.h"
 #include "mesh_makers.h"
+#include "parallel.h"
 
 namespace dirichlet {
 namespace {
@@ -195,6 +196,11 @@ TEST(Isolines, of_many_copies_are_copies_however_many_threads_share_them) {
   std::vector<double> fields;
   for (Index k = 0; k < kCopies; ++k) fields.insert(fields.end(), field.begin(), field.end());
   const Isolines one = extract_isolines(*mesh, field, kLevels), all = extract_isolines(*many, fields, kLevels);
+  thread_limit = 1;
+  const Isolines alone = extract_isolines(*many, fields, kLevels);
+  thread_limit = 0;
+  EXPECT_EQ(all.points, alone.points);
+  EXPECT_EQ(all.offsets, alone.offsets);
   expect_consistent_arrays(all, kLevels.size());
   ASSERT_EQ(line_count(all), line_count(one) * at(kCopies));
   std::size_t l = 0;

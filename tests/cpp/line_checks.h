@@ -12,14 +12,11 @@
 #include <gtest/gtest.h>
 
 #include "dirichlet/isolines.h"
+#include "index.h"
 
 namespace dirichlet {
 
 using Point = std::array<double, 3>;
-
-inline std::size_t at(Index i) {
-  return static_cast<std::size_t>(i);
-}
 
 inline Point position(const Mesh& mesh, Index v) {
   const double* p = mesh.positions().data() + 3 * at(v);

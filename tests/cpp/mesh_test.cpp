@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <random>
 #include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "dirichlet/error.h"
+#include "index.h"
 #include "mesh_makers.h"
+#include "parallel.h"
 #include "refusal.h"
 
 namespace dirichlet {
@@ -49,10 +53,33 @@ TEST(Mesh, edges_are_the_polygon_edges_once_each_and_sorted) {
 TEST(Mesh, opposite_half_edges_share_an_edge_and_find_each_other) {
   const auto mesh = make_mesh(makers::torus(6, 4, false));
   const Connectivity& c = mesh->connectivity();
-  for (std::size_t h = 0; h < c.opposite.size(); ++h) {
-    const auto other = static_cast<std::size_t>(c.opposite[h]);
-    EXPECT_EQ(c.opposite[other], static_cast<Index>(h));
+  const auto ends = [&](Index h) { // of quads
+    const Index a = mesh->corners()[at(h)], b = mesh->corners()[at(h % 4 == 3 ? h - 3 : h + 1)];
+    return std::pair(std::min(a, b), std::max(a, b));
+  };
+  for (Index h = 0; h < static_cast<Index>(c.opposite.size()); ++h) {
+    const Index other = c.opposite[at(h)];
     EXPECT_NE(other, h);
+    EXPECT_EQ(ends(other), ends(h));
+    EXPECT_EQ(c.opposite[at(other)], h);
+  }
+}
+
+TEST(Mesh, connectivity_of_a_large_mesh_is_the_same_on_one_thread_and_on_all) {
+  PolygonSoup soup = makers::torus(220, 200); // enough vertices for five threads
+  std::shuffle(soup.faces.begin(), soup.faces.end(), std::mt19937(1));
+  const auto shared = make_mesh(soup);
+  thread_limit = 1;
+  const auto alone = make_mesh(soup);
+  thread_limit = 0;
+  EXPECT_EQ(shared->connectivity().edges, alone->connectivity().edges);
+  EXPECT_EQ(shared->connectivity().opposite, alone->connectivity().opposite);
+  const auto expected = edges_of(soup);
+  ASSERT_EQ(shared->connectivity().edges.size(), 2 * expected.size());
+  std::size_t e = 0;
+  for (const auto& [a, b] : expected) {
+    ASSERT_EQ(shared->connectivity().edges[e++], a);
+    ASSERT_EQ(shared->connectivity().edges[e++], b);
   }
 }
 

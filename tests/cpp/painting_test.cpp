@@ -236,7 +236,7 @@ TEST(Painting, what_the_paint_is_far_from_does_not_hide_it) {
 }
 
 TEST(Painting, may_go_on_while_others_solve) {
-  const auto mesh = make_mesh(makers::torus(30, 30));
+  const auto mesh = make_mesh(makers::torus(70, 70)); // large enough for regions to be searched on another thread
   HarmonicSolver solver(*mesh);
   const std::vector<Index> even{0, 400}, odd{1, 401};
   const Eigen::Vector2d values(0, 1);
@@ -250,6 +250,17 @@ TEST(Painting, may_go_on_while_others_solve) {
     EXPECT_TRUE(field == fields[0] || field == fields[1]);
   }
   painter.join();
+}
+
+TEST(Painting, may_be_given_up_while_another_thread_searches_its_regions) {
+  const auto mesh = make_mesh(makers::torus(90, 80));
+  for (Index v = 0; v < 20; ++v) const HarmonicSolver solver(*mesh, std::vector<Index>{v});
+  HarmonicSolver solver(*mesh);
+  const std::vector<double> source(7200, 0.0); // with one, regions are not asked for
+  for (Index v = 0; v < 20; ++v) {
+    const Field field = solver.paint(std::vector<Index>{v}, Eigen::VectorXd::Ones(1), source);
+    EXPECT_NEAR(field.values.minCoeff(), 1, 1e-12);
+  }
 }
 
 TEST(Painting, in_float32_solves_many_columns_to_the_tolerance) {

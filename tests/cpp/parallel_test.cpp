@@ -37,5 +37,14 @@ TEST(ParallelChunks, keep_small_work_in_the_callers_thread) {
   });
 }
 
+TEST(InBackground, small_work_or_one_thread_waits_for_the_caller) {
+  const auto caller = std::this_thread::get_id();
+  const auto whoami = [] { return std::this_thread::get_id(); };
+  EXPECT_EQ(in_background(100, whoami).get(), caller);
+  thread_limit = 1;
+  EXPECT_EQ(in_background(1'000'000, whoami).get(), caller);
+  thread_limit = 0;
+}
+
 } // namespace
 } // namespace dirichlet

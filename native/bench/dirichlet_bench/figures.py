@@ -77,8 +77,8 @@ class Ratio(NamedTuple):
 def ratios(claim: Claim, scenes: list[dict[str, Any]]) -> Iterator[Ratio]:
     """One for every scene where both sides were measured. Ours counts as it comes, with all cores: the first."""
     for scene in scenes:
-        own = (figure(r, claim.stage) for r in scene["results"] if r["title"].startswith(claim.ours))
-        ours = next((value for value in own if value is not None), None)
+        own = next((r for r in scene["results"] if r["title"].startswith(claim.ours)), None)
+        ours = figure(own, claim.stage) if own else None
         peer = best(scene, claim.peers, claim.stage)
         if ours is not None and peer is not None:
             yield Ratio(scene["scene"], ours, *peer, claim.targets.get(scene["scene"]))

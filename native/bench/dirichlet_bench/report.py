@@ -53,7 +53,8 @@ NOTES = """## What is compared
   matrix, on the same course as the direct peers. Multigrid takes one column after the other: no 16.
 - *Order, factor, solve*: everybody's matrix is ready-made, of the free vertices alone but for `HarmonicSolver`.
 - *Later*, *values*, *stroke*, *dab*: peers keep their analysis too, painted vertices being identity rows of the mesh's
-  pattern; a stroke is their factor and solve. Ours is `HarmonicSolver.paint`, checks of its arguments included.
+  pattern; a stroke is their factor and solve. Ours is `HarmonicSolver.paint`, checks of its arguments included;
+  its later factor leaves out the search for regions, which goes on beside and counts in strokes.
 - *Arrays to field*: from positions and faces, connectivity and assembly included. libigl has cotangent weights.
 - pyamg solves to a relative residual of 1e-8. Isolines: VTK joins segments to lines as ours does, libigl does not;
   potpourri3d takes a level at a time. Lengths agree when all did the same work.

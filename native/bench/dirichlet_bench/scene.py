@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A scene: a mesh, its matrix, its paintings and the strokes on top; a folder of NumPy files, which C++ reads too."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from pathlib import Path
 
@@ -57,10 +58,9 @@ def prescribed(painting: Reals) -> tuple[Indices, Reals]:
     return vertices, painting[vertices]
 
 
-def brush(scene: Scene, kind: str) -> list[Reals]:
-    """The paintings after each stroke ("stroke" or "dab") on top of the first one."""
-    paintings = [scene.first]
+def brush(scene: Scene, kind: str) -> Iterator[Reals]:
+    """The paintings after each stroke ("stroke" or "dab") on top of the first one; each holds until the next."""
+    painting = scene.first.copy()
     for vertices in getattr(scene, kind):
-        paintings.append(paintings[-1].copy())
-        paintings[-1][vertices] = STROKE_VALUE
-    return paintings[1:]
+        painting[vertices] = STROKE_VALUE
+        yield painting

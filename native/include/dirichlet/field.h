@@ -47,7 +47,7 @@ struct SolveReport {
   double analysis_seconds = 0;       ///< ordering and symbolic analysis; like the two above 0 after the first `paint`
   double injection_seconds = 0;      ///< of the last change of paint
   double factor_seconds = 0;         ///< of the last change of paint
-  double solve_seconds = 0;          ///< this right-hand side alone
+  double solve_seconds = 0;          ///< this right-hand side; the first of a painting also waits for its regions
   std::vector<std::string> warnings; ///< one sentence each
 };
 
