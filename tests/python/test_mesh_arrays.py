@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Arrays in, arrays out: what is shared, what is converted, what is refused and how it is named."""
 
+import dirichlet_surface as surface
 import numpy as np
 import pytest
 from dirichlet_surface import DirichletError, HarmonicSolver, InputError, Mesh, TopologyError, solve
@@ -244,3 +245,23 @@ def test_a_report_before_any_solve_is_refused():
     solver = HarmonicSolver(SPHERE.mesh(), [1])
     with pytest.raises(InputError):
         _ = solver.report
+
+
+@pytest.mark.parametrize("mesh", [None, SPHERE.positions, "sphere"], ids=["nothing", "positions", "text"])
+def test_what_is_no_mesh_is_refused_by_name(mesh):
+    calls = [
+        (surface.HarmonicSolver,),
+        (surface.solve, [0], [1.0]),
+        (surface.isolines, [0.0], [0.5]),
+        (surface.level_through_point, [0.0], [0.0, 0.0, 0.0]),
+        (surface.inspect_patches, [[0]]),
+        (surface.dirichlet_laplacian, [0]),
+    ]
+    for call, *arguments in calls:
+        assert f"needs a Mesh, not {type(mesh).__name__}" in refusal(InputError, call, mesh, *arguments)
+
+
+def test_a_field_in_place_of_its_values_is_refused_by_name():
+    mesh = SPHERE.mesh()
+    field = surface.solve(mesh, [0, 5], [0.0, 1.0])
+    assert "not Field" in refusal(InputError, surface.isolines, mesh, field, [0.5])

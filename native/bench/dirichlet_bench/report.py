@@ -29,9 +29,11 @@ def write(data: dict[str, Any]) -> str:
             **machine
         ),
         f"Commit {machine['commit']}, {machine['date']}. Medians, lowest and highest in brackets.",
+        *([BUSY] if machine["load_before"] > machine["cores"] else []),
         "## Ours as a share of the best peer",
         summary_table(data["scenes"]),
-        "In brackets the project's own targets, for its reference machine.",
+        "Ours with all cores, against the best of the peers with one or with all. In brackets the project's own"
+        " targets, for its reference machine.",
         claims_table(data["scenes"]),
         "Times in milliseconds, memory in MB.",
     ]
@@ -41,6 +43,7 @@ def write(data: dict[str, Any]) -> str:
     return "\n\n".join([*head, *scenes, *tail, NOTES]) + "\n"
 
 
+BUSY = "**The machine was busy: these times are not to be trusted.**"
 GROWTH_NOTE = """Ours with all cores, on the meshes that differ in size alone: time ~ n^p, fitted; by which factor it
 grows from the smallest to the largest of them, and by which it may: n log n, or n^1.5 for what factors (a stroke does,
 in part)."""

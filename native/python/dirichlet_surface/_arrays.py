@@ -16,8 +16,13 @@ Reals = NDArray[np.float64]
 def _as_array(values: ArrayLike, what: str) -> NDArray[Any]:
     try:
         return np.asarray(values)
-    except ValueError as error:
-        raise InputError(f"{what} do not form an array: {error}") from None
+    except ValueError:
+        raise InputError(f"{what} do not form an array: they are of different lengths") from None
+
+
+def _kind(values: ArrayLike, array: NDArray[Any]) -> str:
+    """What a caller passed in place of numbers."""
+    return type(values).__name__ if array.ndim == 0 and array.dtype == object else str(array.dtype)
 
 
 def as_indices(values: ArrayLike, what: str) -> Indices:
@@ -26,7 +31,7 @@ def as_indices(values: ArrayLike, what: str) -> Indices:
     if array.dtype == np.int32:
         return np.ascontiguousarray(array)
     if array.dtype.kind not in "iu" and array.size > 0:
-        raise InputError(f"{what} have to be whole numbers, not {array.dtype}")
+        raise InputError(f"{what} have to be whole numbers, not {_kind(values, array)}")
     limits = np.iinfo(np.int32)
     if array.size > 0 and (array.min() < limits.min or array.max() > limits.max):
         place = int(np.flatnonzero((array.ravel() < limits.min) | (array.ravel() > limits.max))[0])
@@ -38,7 +43,7 @@ def as_reals(values: ArrayLike, what: str) -> Reals:
     """Numbers as C-ordered float64."""
     array = _as_array(values, what)
     if array.dtype.kind not in "fiub":
-        raise InputError(f"{what} have to be real numbers, not {array.dtype}")
+        raise InputError(f"{what} have to be real numbers, not {_kind(values, array)}")
     return np.ascontiguousarray(array, dtype=np.float64)
 
 

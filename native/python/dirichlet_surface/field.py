@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _native
 from ._arrays import Indices, Reals, as_count, as_indices, as_reals, require_shape
 from ._native import InputError
-from .mesh import Mesh
+from .mesh import Mesh, require_mesh
 
 LAPLACIANS = ("graph",)
 METHODS = ("auto", "direct", "multigrid", "lscg")
@@ -60,8 +60,9 @@ class SolveReport:
 
     def summary(self) -> str:
         """One line for people."""
+        without = f" ({self.undefined} without a value)" if self.undefined else ""
         return (
-            f"{self.unknowns} of {self.vertices} vertices solved in {1000 * self.total_seconds:.1f} ms, "
+            f"{self.unknowns} of {self.vertices} vertices solved{without} in {1000 * self.total_seconds:.1f} ms, "
             f"values {self.minimum:.6g} to {self.maximum:.6g}, relative residual {self.relative_residual:.1e}"
         )
 
@@ -114,6 +115,7 @@ class HarmonicSolver:
         tolerance: float | None = None,
         max_iterations: int | None = None,
     ) -> None:
+        require_mesh(mesh)
         for name, kinds, what in (
             (laplacian, LAPLACIANS, "Laplacian"),
             (method, METHODS, "method"),
@@ -238,4 +240,5 @@ def dirichlet_laplacian(mesh: Mesh, vertices: ArrayLike) -> CsrMatrix:
 
     Raises InputError: nothing painted, an index out of range. Cost: O(V + E).
     """
+    require_mesh(mesh)
     return CsrMatrix(*_native.dirichlet_laplacian(mesh, _painted(vertices)))

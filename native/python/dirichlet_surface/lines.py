@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._arrays import Indices, Reals, as_count, as_reals, require_shape
-from .mesh import Mesh
+from .mesh import Mesh, require_mesh
 
 
 @dataclass(frozen=True)
@@ -54,6 +54,7 @@ def isolines(mesh: Mesh, values: ArrayLike, levels: ArrayLike) -> Isolines:
     Raises InputError (lengths, a level that is not finite, an infinite value) or TopologyError (a polygon that has no
     triangulation). Cost: O(V log K + F + output). Releases the GIL.
     """
+    require_mesh(mesh)
     field = as_reals(values, "field values")
     require_shape(field, (mesh.vertex_count,), "field values")
     cuts = as_reals(levels, "levels")
@@ -89,6 +90,7 @@ def stepped_levels(low: float, high: float, step: float, phase: float = 0.0) -> 
 
 def level_through_point(mesh: Mesh, values: ArrayLike, point: ArrayLike) -> float:
     """The field's value at the point of the surface nearest to `point` (3,): the level whose line runs through it."""
+    require_mesh(mesh)
     field = as_reals(values, "field values")
     require_shape(field, (mesh.vertex_count,), "field values")
     place = as_reals(point, "points")

@@ -46,6 +46,12 @@ class Mesh(_native.Mesh):
         return f"Mesh({self.vertex_count} vertices, {self.edge_count} edges, {self.face_count} faces)"
 
 
+def require_mesh(mesh: Mesh) -> None:
+    """Refuses what is none, such as the arrays that one is made of."""
+    if not isinstance(mesh, Mesh):
+        raise InputError(f"this needs a Mesh, not {type(mesh).__name__}")
+
+
 def read_mesh(path: str | os.PathLike[str]) -> Mesh:
     """The mesh in an OBJ, PLY, OFF or STL file, told apart by its ending; non-manifold faces are kept.
 
@@ -60,6 +66,7 @@ def write_mesh(path: str | os.PathLike[str], mesh: Mesh, colors: ArrayLike | Non
 
     An error leaves what was there. Raises InputError: unwritable, unknown ending, colours where there is no room.
     """
+    require_mesh(mesh)
     bytes_ = None
     if colors is not None:
         numbers = as_indices(colors, "colors")
@@ -95,6 +102,7 @@ def inspect_patches(mesh: Mesh, patches: Sequence[ArrayLike]) -> list[PatchFacts
 
     Cost: O(V + the patches and their one-rings).
     """
+    require_mesh(mesh)
     arrays: list[NDArray[np.int32]] = []
     for number, patch in enumerate(patches):
         arrays.append(as_indices(patch, f"the vertices of patch {number}"))
