@@ -211,6 +211,8 @@ TEST(Field, of_a_mesh_large_enough_for_dissection_is_right_and_the_same_on_one_t
   const auto solve_all = [&] { return HarmonicSolver(*mesh, painted).solve(values); };
   const Field field = solve_all();
   EXPECT_LE(field.report.relative_residual, 1e-10);
+  EXPECT_EQ(field.values.minCoeff(), 0);
+  EXPECT_EQ(field.values.maxCoeff(), 7);
   EXPECT_EQ(field.report.minimum, 0);
   EXPECT_FALSE(std::signbit(field.report.minimum));
   EXPECT_EQ(field.report.maximum, 7);
