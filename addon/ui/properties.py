@@ -13,6 +13,7 @@ from bpy.props import (
 )
 
 from . import callbacks
+from .line_properties import LineSettings
 from .result_properties import DirichletResults
 
 
@@ -35,7 +36,7 @@ class DirichletPatch(bpy.types.PropertyGroup):
     )
 
 
-class DirichletSettings(bpy.types.PropertyGroup):
+class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
     """Object.dirichlet"""
 
     patches: CollectionProperty(type=DirichletPatch, name="Patches", description="Painted patches of this object")
@@ -79,76 +80,6 @@ class DirichletSettings(bpy.types.PropertyGroup):
             ("red-blue", "Red-Blue", "Red over white to blue: tells both sides of the middle apart"),
         ),
         update=callbacks.ramp_preset_changed,
-    )
-    levels_mode: EnumProperty(
-        name="Levels",
-        description="How the values of the isolines are chosen",
-        items=(
-            ("EVEN", "Even", "So many levels, spread evenly inside the window"),
-            ("STEP", "Step", "Multiples of a step inside the window, shifted by a phase"),
-            ("LIST", "List", "The values listed"),
-        ),
-    )
-    count: IntProperty(
-        name="Count", description="Number of levels inside the window", default=13, soft_min=1, soft_max=1000
-    )
-    window_auto: BoolProperty(
-        name="Whole Range",
-        description="The window is the whole range of the field; off takes the low and high end set here",
-        default=True,
-    )
-    window_low: FloatProperty(
-        name="Low",
-        description="Lower end of the window of values that levels are chosen in",
-        precision=4,
-        update=callbacks.window_low_changed,
-    )
-    window_high: FloatProperty(
-        name="High",
-        description="Upper end of the window of values that levels are chosen in",
-        default=1.0,
-        precision=4,
-        update=callbacks.window_high_changed,
-    )
-    window_low_place: FloatProperty(
-        name="Window Low",
-        description="Where the window's lower end stands on the ramp above: 0 is its left end, 1 its right end",
-        subtype="FACTOR",
-        min=0.0,
-        max=1.0,
-        get=callbacks.get_window_low_place,
-        set=callbacks.set_window_low_place,
-    )
-    window_high_place: FloatProperty(
-        name="Window High",
-        description="Where the window's upper end stands on the ramp above: 0 is its left end, 1 its right end",
-        subtype="FACTOR",
-        min=0.0,
-        max=1.0,
-        get=callbacks.get_window_high_place,
-        set=callbacks.set_window_high_place,
-    )
-    step: FloatProperty(
-        name="Step", description="Difference between neighbouring levels", default=0.1, soft_min=0.0, precision=4
-    )
-    phase: FloatProperty(
-        name="Phase",
-        description="Shift of the levels in steps: animate it from 0 to 1 and every line moves to its neighbour",
-        soft_min=0.0,
-        soft_max=1.0,
-    )
-    levels_list: StringProperty(
-        name="Levels", description="Values of the isolines, between commas or spaces, such as 0.1, 0.25, 0.5"
-    )
-    bevel_depth: FloatProperty(
-        name="Thickness",
-        description="Radius of the isolines' tubes, as a fraction of the diagonal of the mesh's bounding box",
-        default=0.002,
-        min=0.0,
-        soft_max=0.02,
-        precision=4,
-        step=0.02,
-        update=callbacks.bevel_depth_changed,
     )
     isolines: PointerProperty(
         type=bpy.types.Object,
