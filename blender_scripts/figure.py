@@ -40,7 +40,7 @@ def make_figure(addon: ModuleType, obj: bpy.types.Object, plan: Plan) -> Sheet:
     with Studio(addon, obj, plan.width, plan.height) as studio:
         colored = figure_materials.colored(addon, obj)
         mask = np.zeros(len(obj.data.vertices), bool)
-        mask[part(addon, "blender.pipeline").read_painting(obj).vertices] = True
+        mask[part(addon, "blender.painting").read_painting(obj).vertices] = True
         studio.look(plan.below)
         below = [_tile(studio, colored, "field, from another side"), *_windowed(addon, obj, studio, plan)]
         studio.look(plan.above)

@@ -29,7 +29,7 @@ def render_object(addon: ModuleType, obj: bpy.types.Object, size: tuple[int, int
 
     Raises OSError where the picture cannot be written.
     """
-    painted = part(addon, "blender.pipeline").read_painting(obj).vertices
+    painted = part(addon, "blender.painting").read_painting(obj).vertices
     with Studio(addon, obj, *size) as studio:
         studio.look(best_view(studio.points, painted))
         studio.dress(figure_materials.colored(addon, obj))

@@ -36,7 +36,7 @@ def main(addon: ModuleType) -> None:
     set_patches(addon, obj, args)
     solved = pipeline.solve_field(obj)
     lines = make_isolines(addon, obj, solved.mesh, args)
-    patches = pipeline.read_patches(obj)
+    patches = part(addon, "blender.painting").read_patches(obj)
     command_line.write_outputs(
         args, solved.mesh, solved.field, lines, patches, solved.painting.warnings, also=blender_files(addon, obj, args)
     )
@@ -90,7 +90,7 @@ def set_patches(addon: ModuleType, obj: bpy.types.Object, args: argparse.Namespa
     settings.patches.clear()
     for name, value in groups:
         _list_patch(settings, name, value)
-    asked_for = [*part(addon, "blender.pipeline").read_patches(obj), *patches]
+    asked_for = [*part(addon, "blender.painting").read_patches(obj), *patches]
     surface.combine_patches(asked_for, len(positions), args.overlap)  # groups would drop vertices outside in silence
     for patch in patches:
         group = part(addon, "blender.groups").add_group(obj, patch.name, patch.vertices)

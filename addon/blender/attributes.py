@@ -29,20 +29,36 @@ def require_names(obj: bpy.types.Object) -> None:
         raise library.load().InputError(f"'{name}' of mesh '{mesh.name}' is {what}: rename it, the name is needed")
 
 
-def write(mesh: bpy.types.Mesh, values: NDArray[np.float64], colors: NDArray[np.float32]) -> None:
+def write(mesh: bpy.types.Mesh, values: NDArray[np.float32], colors: NDArray[np.float32]) -> None:
     """values (V,), and colors as `write_colors` takes them."""
-    _require(mesh, FIELD)
-    mesh.attributes[FIELD].data.foreach_set("value", values.astype(np.float32))
+    if not has_field(mesh) or not np.array_equal(read_field(mesh), values, equal_nan=True):
+        _require(mesh, FIELD)
+        mesh.attributes[FIELD].data.foreach_set("value", values)
+        mesh.update()
     write_colors(mesh, colors)
 
 
 def write_colors(mesh: bpy.types.Mesh, colors: NDArray[np.float32]) -> None:
-    """colors (V, 4) linear. Makes them active, for display and for rendering."""
-    _require(mesh, COLOR)
-    mesh.attributes[COLOR].data.foreach_set("color", colors.ravel())
-    mesh.color_attributes.active_color_name = COLOR
-    mesh.color_attributes.render_color_index = mesh.color_attributes.find(COLOR)
-    mesh.update()
+    """colors (V, 4) linear. Makes them active, for display and for rendering. What is there already is not written, so
+    that a write never answers a write."""
+    if not np.array_equal(_read_colors(mesh), colors):
+        _require(mesh, COLOR)
+        mesh.attributes[COLOR].data.foreach_set("color", colors.ravel())
+        mesh.update()
+    if mesh.color_attributes.active_color_name != COLOR:
+        mesh.color_attributes.active_color_name = COLOR
+    index = mesh.color_attributes.find(COLOR)
+    if mesh.color_attributes.render_color_index != index:
+        mesh.color_attributes.render_color_index = index
+
+
+def _read_colors(mesh: bpy.types.Mesh) -> NDArray[np.float32] | None:
+    found = mesh.attributes.get(COLOR)
+    if found is None:
+        return None
+    colors = np.empty(4 * len(mesh.vertices), np.float32)
+    found.data.foreach_get("color", colors)
+    return colors.reshape(-1, 4)
 
 
 def _require(mesh: bpy.types.Mesh, name: str) -> None:
@@ -55,10 +71,10 @@ def has_field(mesh: bpy.types.Mesh) -> bool:
     return found is not None and (found.data_type, found.domain) == ("FLOAT", "POINT")
 
 
-def read_field(mesh: bpy.types.Mesh) -> NDArray[np.float64]:
-    """(V,) as stored, i.e. rounded to float32. Raises InputError when there is none."""
+def read_field(mesh: bpy.types.Mesh) -> NDArray[np.float32]:
+    """(V,) as stored. Raises InputError when there is none."""
     if not has_field(mesh):
         raise library.load().InputError(f"mesh '{mesh.name}' has no attribute '{FIELD}': run Solve Field first")
     values = np.empty(len(mesh.vertices), np.float32)
     mesh.attributes[FIELD].data.foreach_get("value", values)
-    return values.astype(np.float64)
+    return values

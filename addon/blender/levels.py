@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import bpy
 import numpy as np
 from numpy.typing import NDArray
@@ -10,19 +12,37 @@ from numpy.typing import NDArray
 from .. import library
 
 
-def choose_levels(settings: bpy.types.PropertyGroup, low: float, high: float) -> NDArray[np.float64]:
-    """Ascending or as listed; `low` and `high` are the field's range, the window unless the user set another.
+@dataclass(frozen=True)
+class LevelOptions:
+    """How levels are chosen, as LineSettings has it."""
 
-    Raises InputError as the library's level helpers do, and for a list that is not of numbers.
-    """
-    surface = library.load()
-    if settings.levels_mode == "LIST":
-        return parse_levels(settings.levels_list)
-    if not settings.window_auto:
-        low, high = settings.window_low, settings.window_high
-    if settings.levels_mode == "STEP":
-        return surface.stepped_levels(low, high, settings.step, settings.phase)
-    return surface.even_levels(low, high, settings.count)
+    mode: str
+    count: int
+    step: float
+    phase: float
+    listed: str
+    window: tuple[float, float] | None  # None: the field's range
+
+    def choose(self, low: float, high: float) -> NDArray[np.float64]:
+        """Ascending or as listed; `low` and `high` are the field's range, the window unless the user set another.
+
+        Raises InputError as the library's level helpers do, and for a list that is not of numbers.
+        """
+        surface = library.load()
+        if self.mode == "LIST":
+            return parse_levels(self.listed)
+        low, high = self.window or (low, high)
+        if self.mode == "STEP":
+            return surface.stepped_levels(low, high, self.step, self.phase)
+        return surface.even_levels(low, high, self.count)
+
+
+def read_options(settings: bpy.types.PropertyGroup) -> LevelOptions:
+    """settings: a LineSettings."""
+    window = None if settings.window_auto else (settings.window_low, settings.window_high)
+    return LevelOptions(
+        settings.levels_mode, settings.count, settings.step, settings.phase, settings.levels_list, window
+    )
 
 
 def parse_levels(text: str) -> NDArray[np.float64]:

@@ -37,7 +37,9 @@ def show(
     values at the ends of its ramp, `undefined` is the colour where the field is NaN. Returns warnings."""
     material = _single_user(obj, find(obj) or _build(obj.name, stops, undefined))
     limits = material.node_tree.nodes[_RANGE].inputs
-    limits["From Min"].default_value, limits["From Max"].default_value = ends
+    for name, end in zip(("From Min", "From Max"), ends):
+        if limits[name].default_value != end:  # every write makes Blender evaluate the material again
+            limits[name].default_value = end
     if not obj.material_slots:
         obj.data.materials.append(material)
     kept = [slot.material.name for slot in obj.material_slots if not _assign(slot, material)]
@@ -86,7 +88,8 @@ def _assign(slot: bpy.types.MaterialSlot, material: bpy.types.Material) -> bool:
         if slot.link == "OBJECT":
             return False
         slot.link = "OBJECT"
-    slot.material = material
+    if slot.material != material:
+        slot.material = material
     return True
 
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import bpy
 import numpy as np
 from numpy.typing import NDArray
@@ -20,25 +22,55 @@ def require_mesh(obj: bpy.types.Object) -> None:
         raise library.load().InputError(f"object '{obj.name}' is in Edit Mode: leave it first, its mesh cannot be read")
 
 
-def read_mesh(mesh: bpy.types.Mesh):
-    """The dirichlet_surface.Mesh of a mesh data-block in object space, without modifiers or shape keys.
+class Arrays(NamedTuple):
+    """A mesh data-block in numbers, in object space, without modifiers or shape keys."""
 
-    Raises the library's InputError (no faces, a coordinate that is not finite) and TopologyError.
-    """
-    return library.load().Mesh(read_positions(mesh), read_polygons(mesh))
+    positions: NDArray[np.float32]  # (V, 3)
+    offsets: NDArray[np.int32]  # (F + 1,)
+    corners: NDArray[np.int32]  # (C,)
+
+    def same_faces(self, other: Arrays) -> bool:
+        return (
+            len(self.positions) == len(other.positions)
+            and np.array_equal(self.offsets, other.offsets)
+            and np.array_equal(self.corners, other.corners)
+        )
+
+
+def read_arrays(mesh: bpy.types.Mesh) -> Arrays:
+    return Arrays(_read_positions(mesh), *read_polygons(mesh))
+
+
+def build(arrays: Arrays):
+    """The dirichlet_surface.Mesh. Raises the library's InputError (no faces, a coordinate that is not finite) and
+    TopologyError."""
+    return library.load().Mesh(arrays.positions.astype(np.float64), (arrays.offsets, arrays.corners))
+
+
+def read_mesh(mesh: bpy.types.Mesh):
+    """The dirichlet_surface.Mesh of a mesh data-block. Raises what `build` raises."""
+    return build(read_arrays(mesh))
 
 
 def read_positions(mesh: bpy.types.Mesh) -> NDArray[np.float64]:
     """(V, 3)"""
+    return _read_positions(mesh).astype(np.float64)
+
+
+def _read_positions(mesh: bpy.types.Mesh) -> NDArray[np.float32]:
     positions = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", positions)
-    return positions.reshape(-1, 3).astype(np.float64)
+    return positions.reshape(-1, 3)
 
 
 def read_polygons(mesh: bpy.types.Mesh) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
     """Offsets (F + 1,) and corners (C,)."""
     corners, starts, sizes = (np.empty(len(items), np.uint32) for items in (mesh.loops, mesh.polygons, mesh.polygons))
-    mesh.loops.foreach_get("vertex_index", corners)
+    stored = mesh.attributes.get(".corner_vert")  # from Blender 3.6 on, and many times faster there
+    if stored:
+        stored.data.foreach_get("value", corners.view(np.int32))
+    else:
+        mesh.loops.foreach_get("vertex_index", corners)
     mesh.polygons.foreach_get("loop_start", starts)
     mesh.polygons.foreach_get("loop_total", sizes)
     offsets = np.concatenate(([0], np.cumsum(sizes, dtype=np.int64)))

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Solve Field: what it reads, what it writes."""
 
+import importlib
+
 import bpy
 import numpy as np
 import pytest
@@ -171,10 +173,11 @@ def test_solving_again_adds_no_data():
     assert (len(bpy.data.materials), len(obj.data.attributes), len(obj.material_slots)) == counts
 
 
-def test_weight_reading_leaves_nothing_behind(pipeline):
+def test_weight_reading_leaves_nothing_behind(addon, surface):
     obj = painted_grid()
+    painting = importlib.import_module(f"{addon.__name__}.blender.painting")
     before = len(bpy.data.scenes), len(bpy.data.objects), len(bpy.data.node_groups), obj.data.users
-    pipeline.read_painting(obj)
+    painting.read_painting(obj)
     assert (len(bpy.data.scenes), len(bpy.data.objects), len(bpy.data.node_groups), obj.data.users) == before
 
 

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A field in three steps: read the object, compute (in any thread, without Blender's data), write."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import bpy
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import library
+from . import attributes, material, meshes, painting, ramp, results
+from .sessions import Session, open_session
+from .stopwatch import Stopwatch
+
+
+@dataclass(frozen=True)
+class FieldTask:
+    """All that the field of an object depends on."""
+
+    session: Session
+    painting: Any  # the library's Painting: vertices and values
+    options: dict[str, Any]  # of the library's HarmonicSolver
+    table: ramp.ColorTable | None  # nothing before there is a ramp: `write` makes one
+    clock: Stopwatch
+
+    def compute(self) -> FieldOutcome:
+        """Raises what HarmonicSolver and its `paint` raise."""
+        self.clock.restart()
+        values, report = self.session.paint(self.painting, self.options)
+        self.clock.lap("solve")
+        shown = values.astype(np.float32)
+        ends = ramp.limits(shown)
+        colors = self.table.apply(shown, ends) if self.table else None
+        self.clock.lap("colors")
+        return FieldOutcome(self, library.load().Field(values, report), shown, ends, colors)
+
+
+@dataclass(frozen=True)
+class FieldOutcome:
+    """A field that is computed but not written."""
+
+    task: FieldTask
+    field: Any  # the library's Field, in float64
+    values: NDArray[np.float32]  # (V,) as the mesh stores them
+    ends: tuple[float, float]  # values at the ends of the ramp
+    colors: NDArray[np.float32] | None  # (V, 4)
+
+
+@dataclass(frozen=True)
+class FieldResult:
+    """What was computed and written."""
+
+    field: Any
+    mesh: Any  # the library's Mesh
+    painting: Any
+    warnings: tuple[str, ...]
+    seconds: dict[str, float]  # the report's stages, and "read", "paint", "colors", "write" of Blender's data
+
+
+def read(obj: bpy.types.Object) -> FieldTask:
+    """Raises the library's InputError and TopologyError, naming what is wrong with the object."""
+    clock = Stopwatch()
+    meshes.require_mesh(obj)
+    attributes.require_names(obj)
+    session = open_session(obj)
+    clock.lap("read")
+    painted = painting.read_painting(obj)
+    clock.lap("paint")
+    table = ramp.read_table(obj) if material.find_ramp(obj) else None
+    clock.lap("read")
+    return FieldTask(session, painted, {"method": obj.dirichlet.method}, table, clock)
+
+
+def write(obj: bpy.types.Object, outcome: FieldOutcome) -> FieldResult:
+    """Material, attributes and `obj.dirichlet.results`; only what differs from what is there."""
+    task, ramps = outcome.task, library.load("ramps")
+    task.clock.restart()
+    shown = material.show(obj, outcome.ends, ramps.RAMPS[obj.dirichlet.ramp_preset], ramps.UNDEFINED_COLOR)
+    colors = ramp.read_table(obj).apply(outcome.values, outcome.ends) if outcome.colors is None else outcome.colors
+    attributes.write(obj.data, outcome.values, colors)
+    task.clock.lap("write")
+    field = outcome.field
+    warnings = (*task.painting.warnings, *field.report.warnings, *shown)
+    seconds = task.clock.laps | field.report.seconds
+    result = FieldResult(field, task.session.mesh, task.painting, warnings, seconds)
+    results.record_field(obj.dirichlet.results, result)
+    return result

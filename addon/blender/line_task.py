@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Isolines in three steps: read the object, compute (in any thread, without Blender's data), write."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import bpy
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import library
+from . import attributes, curves, levels, meshes, ramp, results
+from .sessions import open_session
+from .stopwatch import Stopwatch
+
+
+@dataclass(frozen=True)
+class LineTask:
+    """All that the isolines of an object depend on, but the field's values."""
+
+    mesh: Any  # the library's Mesh
+    options: levels.LevelOptions
+    table: ramp.ColorTable
+    clock: Stopwatch
+
+    def compute(self, values: NDArray[np.float32]) -> LineOutcome:
+        """values: (V,) as the mesh stores them, not all of them NaN. Raises the library's InputError."""
+        self.clock.restart()
+        ends = ramp.limits(values)
+        low, high = float(np.fmin.reduce(values)), float(np.fmax.reduce(values))
+        lines = library.load().isolines(self.mesh, values, self.options.choose(low, high))
+        self.clock.lap("isolines")
+        return LineOutcome(self, lines, self.table.apply(lines.levels, ends))
+
+
+@dataclass(frozen=True)
+class LineOutcome:
+    """Isolines that are computed but not written."""
+
+    task: LineTask
+    lines: Any  # the library's Isolines, in object space
+    colors: NDArray[np.float32]  # (K, 4) linear, one per level
+
+
+@dataclass(frozen=True)
+class IsolineResult:
+    """What was computed and written."""
+
+    lines: Any  # the library's Isolines
+    object: bpy.types.Object  # the curve object
+    warnings: tuple[str, ...]
+    seconds: dict[str, float]  # "read", "connectivity", "isolines", "write"
+
+
+def read(obj: bpy.types.Object) -> LineTask:
+    """Raises the library's InputError and TopologyError, naming what is wrong with the object."""
+    clock = Stopwatch()
+    meshes.require_mesh(obj)
+    mesh = open_session(obj).mesh
+    task = LineTask(mesh, levels.read_options(obj.dirichlet), ramp.read_table(obj), clock)
+    clock.lap("read")
+    return task
+
+
+def read_values(obj: bpy.types.Object) -> NDArray[np.float32]:
+    """(V,) of the field that the mesh carries. Raises InputError when there is none, or none of it is defined."""
+    values = attributes.read_field(obj.data)
+    if np.isnan(values).all():
+        raise library.load().InputError(
+            f"the field of mesh '{obj.data.name}' is undefined everywhere: run Solve Field again"
+        )
+    return values
+
+
+def write(obj: bpy.types.Object, outcome: LineOutcome) -> IsolineResult:
+    """Puts the lines into the object's curve object, made if there is none, and records `obj.dirichlet.results`."""
+    task, lines = outcome.task, outcome.lines
+    task.clock.restart()
+    curve = curves.write(obj, lines, outcome.colors)
+    task.clock.lap("write")
+    seconds = task.clock.laps | {"connectivity": task.mesh.build_seconds}
+    result = IsolineResult(lines, curve, tuple(lines.warnings), seconds)
+    results.record_isolines(obj.dirichlet.results, result)
+    return result

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is painted on an object, as the library's patches."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import bpy
+import numpy as np
+
+from .. import library
+from . import groups
+
+
+def read_painting(obj: bpy.types.Object):
+    """The library's Painting of the enabled patches. Raises InputError naming groups and vertices."""
+    return library.load().combine_patches(read_patches(obj), len(obj.data.vertices), obj.dirichlet.overlap)
+
+
+def read_patches(obj: bpy.types.Object) -> list[Any]:
+    """The library's Patch of every enabled patch.
+
+    A vertex belongs to a patch when its weight in the group is above 0 and at least the threshold, or just above 0
+    when the patch takes its weights as values. Raises InputError naming groups and vertices.
+    """
+    surface, settings = library.load(), obj.dirichlet
+    patches = [patch for patch in settings.patches if patch.enabled]
+    missing = [patch.group for patch in patches if patch.group not in obj.vertex_groups]
+    if missing:
+        rest = f" (and {len(missing) - 1} more)" if len(missing) > 1 else ""
+        raise surface.InputError(f"object '{obj.name}' has no vertex group '{missing[0]}'{rest}: pick one in the list")
+    painted = []
+    for patch, weights in zip(patches, groups.read_weights(obj.data, [patch.group for patch in patches])):
+        if np.isnan(weights).any():
+            vertex = int(np.flatnonzero(np.isnan(weights))[0])
+            raise surface.InputError(f"vertex group '{patch.group}': the weight of vertex {vertex} is not a number")
+        lowest = 0.0 if patch.weights_as_values else settings.threshold
+        vertices = np.flatnonzero((weights > 0) & (weights >= np.float32(lowest)))
+        values = weights[vertices].astype(np.float64) if patch.weights_as_values else patch.value
+        painted.append(surface.Patch(patch.group, vertices, values))
+    return painted
