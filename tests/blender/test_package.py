@@ -2,22 +2,15 @@
 """The zip that Preferences > Add-ons > Install takes, in a Blender with an empty configuration."""
 
 import json
-import os
 import subprocess
 import sys
 from pathlib import Path
 
 import bpy
+import configuration
 import numpy as np
 import pytest
 from conftest import ROOT, STAGED
-
-INSTALL = """
-import bpy
-bpy.ops.preferences.addon_install(filepath={archive!r})
-bpy.ops.preferences.addon_enable(module="dirichlet_isolines")
-bpy.ops.wm.save_userpref()
-"""
 
 USE = """
 import bpy, json, sys
@@ -44,35 +37,14 @@ def archive(tmp_path):
     return next(tmp_path.glob("*.zip"))
 
 
-@pytest.fixture
-def blender(tmp_path):
-    """Runs a script in a Blender of its own, whose configuration starts empty and is kept for the next call."""
+def test_installed_zip_stays_enabled_and_its_operators_run(archive, tmp_path, surface):
     home = tmp_path / "configuration"
-    folders = {
-        "BLENDER_USER_RESOURCES": home,
-        "BLENDER_USER_CONFIG": home / "config",
-        "BLENDER_USER_SCRIPTS": home / "scripts",
-    }
-    for folder in folders.values():
-        folder.mkdir(parents=True, exist_ok=True)
-    environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "DIRICHLET_ADDON")}
-    environment |= {name: str(folder) for name, folder in folders.items()}
-
-    def run(script):
-        command = [bpy.app.binary_path, "--background", "--python-exit-code", "1", "--python-expr", script]
-        done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
-        assert done.returncode == 0, done.stdout + done.stderr
-        return done.stdout
-
-    run.home = home
-    return run
-
-
-def test_installed_zip_stays_enabled_and_its_operators_run(archive, blender, surface):
-    blender(INSTALL.format(archive=str(archive)))
-    result = json.loads(blender(USE).partition("RESULT")[2].splitlines()[0])
+    environment = configuration.empty(home)
+    configuration.install(bpy.app.binary_path, environment, archive)
+    printed = configuration.run(bpy.app.binary_path, environment, USE)
+    result = json.loads(printed.partition("RESULT")[2].splitlines()[0])
     assert result["files"]
-    assert all(blender.home in Path(file).parents for file in result["files"])
+    assert all(home in Path(file).parents for file in result["files"])
     bpy.ops.mesh.primitive_cube_add()
     cube = bpy.context.active_object.data
     mesh = surface.Mesh([tuple(v.co) for v in cube.vertices], np.array([tuple(p.vertices) for p in cube.polygons]))

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every test has a Blender of its own, with the packaged add-on installed into an empty configuration."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+import window
+
+
+@pytest.fixture(scope="session")
+def archive() -> Path:
+    return window.newest_archive()

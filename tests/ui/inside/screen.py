@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where things are in Blender's window, in pixels counted from its upper left corner."""
+
+import re
+from collections.abc import Generator
+from contextlib import AbstractContextManager
+
+import bpy
+import hand
+from bpy_extras.view3d_utils import location_3d_to_region_2d
+from hand import Pixel
+from mathutils import Vector
+from steps import Waiting
+
+_seen: dict[str, Pixel] = {}  # where a button was when it was last looked for
+
+
+def window() -> bpy.types.Window:
+    return bpy.context.window_manager.windows[0]
+
+
+def viewport() -> bpy.types.Area:
+    return max((area for area in window().screen.areas if area.type == "VIEW_3D"), key=lambda area: area.width)
+
+
+def region(kind: str) -> bpy.types.Region:
+    """Of the viewport: "WINDOW", or "UI" for its sidebar."""
+    return next(found for found in viewport().regions if found.type == kind)
+
+
+def at(kind: str = "WINDOW") -> AbstractContextManager:
+    """The context of an operator called there: a timer has none."""
+    return bpy.context.temp_override(window=window(), area=viewport(), region=region(kind))
+
+
+def pixel_of(obj: bpy.types.Object, point: tuple[float, float, float]) -> Pixel:
+    """Where a point in the object's space is drawn."""
+    view = region("WINDOW")
+    place = location_3d_to_region_2d(view, viewport().spaces.active.region_3d, obj.matrix_world @ Vector(point))
+    return round(view.x + place.x), round(window().height - view.y - place.y)
+
+
+def open_tab(panel: type[bpy.types.Panel]) -> Waiting:
+    """Clicks down the sidebar's tabs until the panel is drawn."""
+    drawn = []
+    notice = lambda panel, context: drawn.append(True)  # noqa: E731
+    panel.append(notice)
+    side = region("UI")
+    for y in range(window().height - side.y - side.height + 20, window().height - side.y, 25):
+        yield from hand.click((side.x + side.width - 8, y))
+        if drawn:
+            break
+    panel.remove(notice)
+    assert drawn, "no tab has the panel"
+
+
+def find(name: str, across: float = 0.6) -> Generator[float, None, Pixel]:
+    """Looks for a button in the sidebar, `across` of its width from the left: an operator's or property's name as
+    Blender's tooltips know it. The pixel is returned, as a generator's value."""
+    side = region("UI")
+    x, top = round(side.x + across * side.width), window().height - side.y - side.height
+    places = [(x, y) for y in range(top + 4, top + side.height, 8)]
+    for pixel in [_seen.get(name, places[0]), *places]:
+        yield from hand.move(pixel)
+        if re.search(rf"\b{name}\b", _under_pointer()):
+            _seen[name] = pixel
+            return pixel
+    raise AssertionError(f"no button '{name}' in the sidebar")
+
+
+def _under_pointer() -> str:
+    """What the button under the pointer would copy: its property's path, or its operator's call."""
+    with at("UI"):
+        for copy in (bpy.ops.ui.copy_python_command_button, bpy.ops.ui.copy_data_path_button):
+            if copy.poll():
+                copy()
+                return bpy.context.window_manager.clipboard
+    return ""

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What only a window shows: each test plays a script of inside/ with a real mouse; pictures in build/ui/<script>."""
+
+from window import run_inside
+
+
+def test_what_an_artist_paints_is_solved_and_drawn(archive):
+    run_inside("painting", archive=archive, limit=600)
