@@ -3,9 +3,16 @@
 
 import bpy
 
-from . import field_operators, lists, panels, patch_operators, properties
+from . import field_operators, lists, panels, patch_operators, preferences, properties
 
-_CLASSES = (*properties.CLASSES, *patch_operators.CLASSES, *field_operators.CLASSES, *lists.CLASSES, *panels.CLASSES)
+_CLASSES = (
+    *preferences.CLASSES,
+    *properties.CLASSES,
+    *patch_operators.CLASSES,
+    *field_operators.CLASSES,
+    *lists.CLASSES,
+    *panels.CLASSES,
+)
 
 
 def register() -> None:

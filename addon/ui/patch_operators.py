@@ -4,6 +4,7 @@
 import bpy
 from bpy.props import StringProperty
 
+from ..blender import preferences
 from .common import poll_mesh
 
 _ANY_MODE = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX", "EDIT_MESH")
@@ -12,6 +13,8 @@ _ANY_MODE = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX", "EDIT_MESH")
 def _append(obj: bpy.types.Object, group: str) -> None:
     """A patch with the next value: 0, then one more than the highest."""
     settings = obj.dirichlet
+    if not settings.patches:
+        preferences.begin(settings)
     value = max((patch.value for patch in settings.patches), default=-1.0) + 1.0
     patch = settings.patches.add()
     patch.group, patch.value = group, value
