@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import attributes, material, meshes, painting, preferences, ramp, results
+from . import attributes, material, meshes, painting, ramp, results
 from .sessions import Session, open_session
 from .stopwatch import Stopwatch
 
@@ -21,6 +21,7 @@ class FieldTask:
     """All that the field of an object depends on."""
 
     session: Session
+    patches: list[Any]  # the library's Patch of every enabled patch
     painting: Any  # the library's Painting: vertices and values
     options: dict[str, Any]  # of the library's HarmonicSolver
     table: ramp.ColorTable | None  # nothing before there is a ramp: `write` makes one
@@ -67,15 +68,12 @@ def read(obj: bpy.types.Object) -> FieldTask:
     attributes.require_names(obj)
     session = open_session(obj)
     clock.lap("read")
-    painted = painting.read_painting(obj)
+    patches = painting.read_patches(obj)
+    painted = painting.combine(obj, patches)
     clock.lap("paint")
     table = ramp.read_table(obj) if material.find_ramp(obj) else None
     clock.lap("read")
-    return FieldTask(session, painted, _options(obj.dirichlet), table, clock)
-
-
-def _options(settings: bpy.types.PropertyGroup) -> dict[str, Any]:
-    return {"method": settings.method, "memory_budget": preferences.memory_budget()}
+    return FieldTask(session, patches, painted, {"method": obj.dirichlet.method}, table, clock)
 
 
 def write(obj: bpy.types.Object, outcome: FieldOutcome) -> FieldResult:

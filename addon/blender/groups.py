@@ -35,6 +35,16 @@ def add_group(obj: bpy.types.Object, name: str, vertices: NDArray[np.intp]) -> s
     return group.name
 
 
+def copy_group(obj: bpy.types.Object, name: str) -> str:
+    """Copies the group and its weights, makes the copy active and returns its name: the next that is free."""
+    obj.vertex_groups.active_index = obj.vertex_groups[name].index
+    with bpy.context.temp_override(object=obj, active_object=obj):  # the one bulk copy that there is
+        bpy.ops.object.vertex_group_copy()
+    copy = obj.vertex_groups.active
+    copy.name = name
+    return copy.name
+
+
 @contextmanager
 def _evaluated(mesh: bpy.types.Mesh, names: Sequence[str]) -> Iterator[bpy.types.bpy_prop_collection]:
     """The attributes of the mesh with the groups stored among them."""

@@ -79,6 +79,13 @@ def read_polygons(mesh: bpy.types.Mesh) -> tuple[NDArray[np.int32], NDArray[np.i
     return offsets.astype(np.int32), corners.view(np.int32)
 
 
+def read_edges(mesh: bpy.types.Mesh) -> NDArray[np.int32]:
+    """(E, 2)"""
+    edges = np.empty(2 * len(mesh.edges), np.uint32)
+    mesh.edges.foreach_get("vertices", edges)
+    return edges.view(np.int32).reshape(-1, 2)
+
+
 def selected_vertices(mesh: bpy.types.Mesh) -> NDArray[np.intp]:
     """Indices, ascending."""
     selected = np.empty(len(mesh.vertices), bool)

@@ -12,9 +12,14 @@ from .. import library
 from . import groups
 
 
-def read_painting(obj: bpy.types.Object):
+def read_painting(obj: bpy.types.Object) -> Any:
     """The library's Painting of the enabled patches. Raises InputError naming groups and vertices."""
-    return library.load().combine_patches(read_patches(obj), len(obj.data.vertices), obj.dirichlet.overlap)
+    return combine(obj, read_patches(obj))
+
+
+def combine(obj: bpy.types.Object, patches: list[Any]) -> Any:
+    """The library's Painting of what `read_patches` returned. Raises InputError naming groups and vertices."""
+    return library.load().combine_patches(patches, len(obj.data.vertices), obj.dirichlet.overlap)
 
 
 def read_patches(obj: bpy.types.Object) -> list[Any]:

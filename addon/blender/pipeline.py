@@ -11,7 +11,7 @@ from collections.abc import Callable
 import bpy
 
 from .. import library
-from . import attributes, field_task, line_task, material, meshes, ramp
+from . import attributes, field_task, line_task, material, meshes, patches, ramp
 from .field_task import FieldResult
 from .line_task import IsolineResult
 
@@ -24,6 +24,7 @@ def solve_field(obj: bpy.types.Object, *, progress: Progress = lambda done: None
     progress(0.3)
     outcome = task.compute()
     progress(0.8)
+    patches.record_facts(obj, task.session.mesh, task.patches)
     return field_task.write(obj, outcome)
 
 

@@ -74,6 +74,15 @@ def read_table(obj: bpy.types.Object) -> ColorTable:
     return ColorTable(places, np.column_stack([linear, np.ones_like(places)]), (), ramps.UNDEFINED_COLOR)
 
 
+def color_at(obj: bpy.types.Object, value: float) -> tuple[float, float, float]:
+    """Linear RGB of one value in the range of the last solve, cheap enough to draw with; grey when never solved."""
+    node, results = material.find_ramp(obj), obj.dirichlet.results
+    if node is None or not results.solved:
+        return (0.5, 0.5, 0.5)
+    width = results.maximum - results.minimum
+    return tuple(node.color_ramp.evaluate((value - results.minimum) / width if width > 0 else 0.5)[:3])
+
+
 def _sample(ramp: bpy.types.ColorRamp) -> tuple[NDArray[np.float32], NDArray[np.float64], list[float]]:
     """Sampled once: evenly, and on both sides of every stop, where it may jump; and the places where it does."""
     stops = np.array([stop.position for stop in ramp.elements], np.float32)

@@ -3,12 +3,13 @@
 
 import bpy
 
-from . import field_operators, lists, panels, patch_operators, preferences, properties
+from . import field_operators, lists, panels, patch_list_operators, patch_operators, patch_source_operators, properties
 
 _CLASSES = (
-    *preferences.CLASSES,
     *properties.CLASSES,
     *patch_operators.CLASSES,
+    *patch_list_operators.CLASSES,
+    *patch_source_operators.CLASSES,
     *field_operators.CLASSES,
     *lists.CLASSES,
     *panels.CLASSES,

@@ -19,6 +19,12 @@ def bevel_depth_changed(settings, context) -> None:
     curves.set_radius(settings.id_data, settings.bevel_depth)
 
 
+def get_patch_color(patch) -> tuple[float, float, float]:
+    from ..blender import ramp
+
+    return ramp.color_at(patch.id_data, patch.value)
+
+
 # The window follows the field's range until one of its ends is set; the other end then starts at that range's.
 
 

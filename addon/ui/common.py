@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What several operators and panels need."""
+"""What several operators need."""
 
-import textwrap
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
@@ -25,6 +24,15 @@ def poll_mesh(cls: type[bpy.types.Operator], context: bpy.types.Context, modes: 
     return False
 
 
+def poll_patch(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
+    """Whether a row of the list of patches is selected, given a mesh; else says what to do."""
+    settings = context.active_object.dirichlet
+    if 0 <= settings.active_patch < len(settings.patches):
+        return True
+    cls.poll_message_set("Select a patch in the list first")
+    return False
+
+
 @contextmanager
 def progress(context: bpy.types.Context) -> Iterator[Callable[[float], None]]:
     """Shows the part done at the mouse pointer, for meshes large enough to make people wait."""
@@ -37,12 +45,3 @@ def progress(context: bpy.types.Context) -> Iterator[Callable[[float], None]]:
         yield manager.progress_update
     finally:
         manager.progress_end()
-
-
-def write_sentence(layout: bpy.types.UILayout, context: bpy.types.Context, sentence: str, icon: str) -> None:
-    """A sentence over as many lines as the sidebar's width asks for."""
-    characters = max(20, int(context.region.width / (7 * context.preferences.system.ui_scale)) - 6)
-    column = layout.column(align=True)
-    column.scale_y = 0.8
-    for k, line in enumerate(textwrap.wrap(sentence, characters)):
-        column.label(text=line, icon=icon if k == 0 else "BLANK1")

@@ -4,21 +4,9 @@
 import bpy
 from bpy.props import StringProperty
 
-from ..blender import preferences
-from .common import poll_mesh
+from .common import poll_mesh, poll_patch
 
 _ANY_MODE = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX", "EDIT_MESH")
-
-
-def _append(obj: bpy.types.Object, group: str) -> None:
-    """A patch with the next value: 0, then one more than the highest."""
-    settings = obj.dirichlet
-    if not settings.patches:
-        preferences.begin(settings)
-    value = max((patch.value for patch in settings.patches), default=-1.0) + 1.0
-    patch = settings.patches.add()
-    patch.group, patch.value = group, value
-    settings.active_patch = len(settings.patches) - 1
 
 
 def _unlisted(obj: bpy.types.Object) -> list[str]:
@@ -26,14 +14,6 @@ def _unlisted(obj: bpy.types.Object) -> list[str]:
     listed = {patch.group for patch in obj.dirichlet.patches}
     groups = [group for group in obj.vertex_groups if group.name not in listed]
     return [group.name for group in sorted(groups, key=lambda group: group != obj.vertex_groups.active)]
-
-
-def _poll_patch(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
-    settings = context.active_object.dirichlet
-    if 0 <= settings.active_patch < len(settings.patches):
-        return True
-    cls.poll_message_set("Select a patch in the list first")
-    return False
 
 
 class DIRICHLET_OT_patch_add_group(bpy.types.Operator):
@@ -56,6 +36,8 @@ class DIRICHLET_OT_patch_add_group(bpy.types.Operator):
         return True
 
     def execute(self, context):
+        from ..blender import patches
+
         obj = context.active_object
         if self.group and self.group not in obj.vertex_groups:
             self.report({"ERROR"}, f"Object '{obj.name}' has no vertex group '{self.group}'")
@@ -64,7 +46,7 @@ class DIRICHLET_OT_patch_add_group(bpy.types.Operator):
         if not names:
             self.report({"ERROR"}, "Every vertex group has a patch already: paint another one first")
             return {"CANCELLED"}
-        _append(obj, names[0])
+        patches.add(obj, names[0])
         return {"FINISHED"}
 
 
@@ -81,7 +63,7 @@ class DIRICHLET_OT_patch_add_selected(bpy.types.Operator):
         return poll_mesh(cls, context, _ANY_MODE)
 
     def execute(self, context):
-        from ..blender import groups, meshes
+        from ..blender import meshes, patches
 
         obj = context.active_object
         editing = obj.mode == "EDIT"
@@ -93,25 +75,8 @@ class DIRICHLET_OT_patch_add_selected(bpy.types.Operator):
                 bpy.ops.object.mode_set(mode="EDIT")
             self.report({"ERROR"}, f"No vertex of '{obj.name}' is selected: select some in Edit Mode")
             return {"CANCELLED"}
-        _append(obj, groups.add_group(obj, "Patch", selected))
+        patches.add_group(obj, "Patch", selected)
         return {"FINISHED"}  # still outside: an undo step made in Edit Mode has no list of patches
-
-
-class DIRICHLET_OT_patch_remove(bpy.types.Operator):
-    bl_idname = "dirichlet.patch_remove"
-    bl_label = "Remove Patch"
-    bl_description = "Remove the selected patch from the list; its vertex group stays"
-    bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context):
-        return poll_mesh(cls, context) and _poll_patch(cls, context)
-
-    def execute(self, context):
-        settings = context.active_object.dirichlet
-        settings.patches.remove(settings.active_patch)
-        settings.active_patch = max(0, min(settings.active_patch, len(settings.patches) - 1))
-        return {"FINISHED"}
 
 
 class DIRICHLET_OT_patch_paint(bpy.types.Operator):
@@ -122,7 +87,7 @@ class DIRICHLET_OT_patch_paint(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return poll_mesh(cls, context) and _poll_patch(cls, context)
+        return poll_mesh(cls, context) and poll_patch(cls, context)
 
     def execute(self, context):
         obj = context.active_object
@@ -160,7 +125,6 @@ class DIRICHLET_OT_patch_spread_values(bpy.types.Operator):
 CLASSES = (
     DIRICHLET_OT_patch_add_group,
     DIRICHLET_OT_patch_add_selected,
-    DIRICHLET_OT_patch_remove,
     DIRICHLET_OT_patch_paint,
     DIRICHLET_OT_patch_spread_values,
 )

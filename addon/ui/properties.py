@@ -7,6 +7,7 @@ from bpy.props import (
     CollectionProperty,
     EnumProperty,
     FloatProperty,
+    FloatVectorProperty,
     IntProperty,
     PointerProperty,
     StringProperty,
@@ -15,13 +16,6 @@ from bpy.props import (
 from . import callbacks
 from .line_properties import LineSettings
 from .result_properties import DirichletResults
-
-RAMPS = (
-    ("rainbow", "Rainbow", "Blue, cyan, green, yellow, red: the paper's"),
-    ("viridis", "Viridis", "Dark violet to yellow: even steps to the eye, readable in grey"),
-    ("grey", "Grey", "Black to white"),
-    ("red-blue", "Red-Blue", "Red over white to blue: tells both sides of the middle apart"),
-)
 
 
 class DirichletPatch(bpy.types.PropertyGroup):
@@ -40,6 +34,19 @@ class DirichletPatch(bpy.types.PropertyGroup):
         name="Weights as Values",
         description="Take each vertex's weight as its value, instead of one value for the patch. The patch is then "
         "every vertex with a weight above 0, whatever the threshold",
+    )
+    color: FloatVectorProperty(
+        name="Color",
+        description="Color of the patch's value on the ramp",
+        subtype="COLOR",
+        size=3,
+        min=0.0,
+        max=1.0,
+        get=callbacks.get_patch_color,
+    )
+    vertices: IntProperty(name="Vertices", description="Vertices of the patch when it was last solved for or checked")
+    problem: StringProperty(
+        name="Problem", description="What keeps the patch from being one disc apart from all others; empty for nothing"
     )
 
 
@@ -80,7 +87,12 @@ class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
     ramp_preset: EnumProperty(
         name="Ramp",
         description="Colours for values from low to high. Choosing one replaces the stops of the ramp below",
-        items=RAMPS,
+        items=(
+            ("rainbow", "Rainbow", "Blue, cyan, green, yellow, red: the paper's"),
+            ("viridis", "Viridis", "Dark violet to yellow: even steps to the eye, readable in grey"),
+            ("grey", "Grey", "Black to white"),
+            ("red-blue", "Red-Blue", "Red over white to blue: tells both sides of the middle apart"),
+        ),
         update=callbacks.ramp_preset_changed,
     )
     isolines: PointerProperty(
