@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import attributes, material, meshes, painting, ramp, results
+from . import attributes, material, meshes, painting, preferences, ramp, results
 from .sessions import Session, open_session
 from .stopwatch import Stopwatch
 
@@ -73,7 +73,11 @@ def read(obj: bpy.types.Object) -> FieldTask:
     clock.lap("paint")
     table = ramp.read_table(obj) if material.find_ramp(obj) else None
     clock.lap("read")
-    return FieldTask(session, patches, painted, {"method": obj.dirichlet.method}, table, clock)
+    return FieldTask(session, patches, painted, _options(obj.dirichlet), table, clock)
+
+
+def _options(settings: bpy.types.PropertyGroup) -> dict[str, Any]:
+    return {"method": settings.method, "memory_budget": preferences.memory_budget()}
 
 
 def write(obj: bpy.types.Object, outcome: FieldOutcome) -> FieldResult:

@@ -11,12 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import groups, meshes, painting, sessions
+from . import groups, meshes, painting, preferences, sessions
 
 
 def add(obj: bpy.types.Object, group: str) -> None:
     """A row for the vertex group, selected, with the next value: 0, then one more than the highest."""
     settings = obj.dirichlet
+    if not settings.patches:
+        preferences.begin(settings)
     value = max((patch.value for patch in settings.patches), default=-1.0) + 1.0
     patch = settings.patches.add()
     patch.group, patch.value = group, value

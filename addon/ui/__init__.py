@@ -3,9 +3,19 @@
 
 import bpy
 
-from . import field_operators, lists, panels, patch_list_operators, patch_operators, patch_source_operators, properties
+from . import (
+    field_operators,
+    lists,
+    panels,
+    patch_list_operators,
+    patch_operators,
+    patch_source_operators,
+    preferences,
+    properties,
+)
 
 _CLASSES = (
+    *preferences.CLASSES,
     *properties.CLASSES,
     *patch_operators.CLASSES,
     *patch_list_operators.CLASSES,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What several operators need."""
+"""What several operators and panels need."""
 
+import textwrap
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
@@ -45,3 +46,12 @@ def progress(context: bpy.types.Context) -> Iterator[Callable[[float], None]]:
         yield manager.progress_update
     finally:
         manager.progress_end()
+
+
+def write_sentence(layout: bpy.types.UILayout, context: bpy.types.Context, sentence: str, icon: str) -> None:
+    """A sentence over as many lines as the sidebar's width asks for."""
+    characters = max(20, int(context.region.width / (7 * context.preferences.system.ui_scale)) - 6)
+    column = layout.column(align=True)
+    column.scale_y = 0.8
+    for k, line in enumerate(textwrap.wrap(sentence, characters)):
+        column.label(text=line, icon=icon if k == 0 else "BLANK1")

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tab Isolines of the 3D viewport's sidebar."""
 
-import textwrap
-
 import bpy
 
 from .. import library
 from ..blender import material
+from .common import write_sentence
 
 
 class _Panel:
@@ -29,7 +28,7 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
     def draw(self, context):
         layout, obj = self.layout, context.active_object
         if library.failure():
-            _write(layout, context, library.failure(), "ERROR")
+            write_sentence(layout, context, library.failure(), "ERROR")
         if not super().poll(context):
             layout.label(text="Select a mesh object", icon="INFO")
             return
@@ -47,7 +46,7 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
         column.operator("dirichlet.patch_paint", text="", icon="BRUSH_DATA")
         patch = settings.patches[settings.active_patch] if 0 <= settings.active_patch < len(settings.patches) else None
         if patch and patch.problem:
-            _write(layout, context, patch.problem, "ERROR")
+            write_sentence(layout, context, patch.problem, "ERROR")
         elif patch and patch.vertices:
             layout.label(text=f"{patch.vertices:,} vertices", icon="CHECKMARK")
         column = layout.column(align=True)
@@ -144,7 +143,7 @@ class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
         warnings = results.field_warnings.splitlines()
         warnings += results.isoline_warnings.splitlines() if results.extracted else []
         for warning in warnings:
-            _write(layout, context, warning, "INFO")
+            write_sentence(layout, context, warning, "INFO")
 
 
 def _properties(layout: bpy.types.UILayout) -> bpy.types.UILayout:
@@ -153,15 +152,6 @@ def _properties(layout: bpy.types.UILayout) -> bpy.types.UILayout:
     column.use_property_split = True
     column.use_property_decorate = False
     return column
-
-
-def _write(layout: bpy.types.UILayout, context: bpy.types.Context, sentence: str, icon: str) -> None:
-    """A sentence over as many lines as the sidebar's width asks for."""
-    characters = max(20, int(context.region.width / (7 * context.preferences.system.ui_scale)) - 6)
-    column = layout.column(align=True)
-    column.scale_y = 0.8
-    for k, line in enumerate(textwrap.wrap(sentence, characters)):
-        column.label(text=line, icon=icon if k == 0 else "BLANK1")
 
 
 CLASSES = (DIRICHLET_PT_patches, DIRICHLET_PT_field, DIRICHLET_PT_isolines, DIRICHLET_PT_results)

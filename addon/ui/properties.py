@@ -17,6 +17,13 @@ from . import callbacks
 from .line_properties import LineSettings
 from .result_properties import DirichletResults
 
+RAMPS = (
+    ("rainbow", "Rainbow", "Blue, cyan, green, yellow, red: the paper's"),
+    ("viridis", "Viridis", "Dark violet to yellow: even steps to the eye, readable in grey"),
+    ("grey", "Grey", "Black to white"),
+    ("red-blue", "Red-Blue", "Red over white to blue: tells both sides of the middle apart"),
+)
+
 
 class DirichletPatch(bpy.types.PropertyGroup):
     """A painted patch: a vertex group and the value prescribed on it."""
@@ -87,12 +94,7 @@ class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
     ramp_preset: EnumProperty(
         name="Ramp",
         description="Colours for values from low to high. Choosing one replaces the stops of the ramp below",
-        items=(
-            ("rainbow", "Rainbow", "Blue, cyan, green, yellow, red: the paper's"),
-            ("viridis", "Viridis", "Dark violet to yellow: even steps to the eye, readable in grey"),
-            ("grey", "Grey", "Black to white"),
-            ("red-blue", "Red-Blue", "Red over white to blue: tells both sides of the middle apart"),
-        ),
+        items=RAMPS,
         update=callbacks.ramp_preset_changed,
     )
     isolines: PointerProperty(
