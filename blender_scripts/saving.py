@@ -33,7 +33,7 @@ def render_object(addon: ModuleType, obj: bpy.types.Object, size: tuple[int, int
     with Studio(addon, obj, *size) as studio:
         studio.look(best_view(studio.points, painted))
         studio.dress(figure_materials.colored(addon, obj))
-        studio.draw(part(addon, "blender.curves").find(obj), _LINE)
+        studio.draw(part(addon, "blender.result_objects").find(obj), _LINE)
         tile = studio.render()
     sheet = Sheet(*size)
     sheet.paste(tile, 0, 0)

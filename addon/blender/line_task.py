@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import attributes, curves, levels, meshes, ramp, results
+from . import attributes, levels, meshes, ramp, result_drawing, result_objects, results
 from .sessions import open_session
 from .stopwatch import Stopwatch
 
@@ -49,17 +49,23 @@ class IsolineResult:
     """What was computed and written."""
 
     lines: Any  # the library's Isolines
-    object: bpy.types.Object  # the curve object
+    object: bpy.types.Object  # the result they were written into
     warnings: tuple[str, ...]
     seconds: dict[str, float]  # "read", "connectivity", "isolines", "write"
 
+    def summary(self) -> str:
+        """One line for people."""
+        lines = self.lines
+        return f"{len(lines)} isolines at {len(lines.levels)} levels, {int(lines.closed.sum())} closed"
 
-def read(obj: bpy.types.Object) -> LineTask:
-    """Raises the library's InputError and TopologyError, naming what is wrong with the object."""
+
+def read(obj: bpy.types.Object, settings: bpy.types.PropertyGroup | None = None) -> LineTask:
+    """settings: a LineSettings, the object's own unless another is given. Raises the library's InputError and
+    TopologyError, naming what is wrong with the object."""
     clock = Stopwatch()
     meshes.require_mesh(obj)
     mesh = open_session(obj).mesh
-    task = LineTask(mesh, levels.read_options(obj.dirichlet), ramp.read_table(obj), clock)
+    task = LineTask(mesh, levels.read_options(settings or obj.dirichlet), ramp.read_table(obj), clock)
     clock.lap("read")
     return task
 
@@ -74,13 +80,16 @@ def read_values(obj: bpy.types.Object) -> NDArray[np.float32]:
     return values
 
 
-def write(obj: bpy.types.Object, outcome: LineOutcome) -> IsolineResult:
-    """Puts the lines into the object's curve object, made if there is none, and records `obj.dirichlet.results`."""
+def write(obj: bpy.types.Object, outcome: LineOutcome, result: bpy.types.Object | None) -> IsolineResult:
+    """Puts the lines into the result, or into a new one bound to the object. Records `obj.dirichlet.results` when it is
+    the bound one."""
     task, lines = outcome.task, outcome.lines
     task.clock.restart()
-    curve = curves.write(obj, lines, outcome.colors)
+    settings = result_objects.settings_of(result, obj) if result else obj.dirichlet
+    drawn = result_drawing.write(obj, result, lines, outcome.colors, settings)
     task.clock.lap("write")
     seconds = task.clock.laps | {"connectivity": task.mesh.build_seconds}
-    result = IsolineResult(lines, curve, tuple(lines.warnings), seconds)
-    results.record_isolines(obj.dirichlet.results, result)
-    return result
+    made = IsolineResult(lines, drawn, tuple(lines.warnings), seconds)
+    if result_objects.find(obj) == drawn:
+        results.record_isolines(obj.dirichlet.results, made)
+    return made

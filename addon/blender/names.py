@@ -4,7 +4,8 @@
 FIELD = "dirichlet_field"  # FLOAT per point: the true values, NaN where undefined
 COLOR = "dirichlet_color"  # FLOAT_COLOR per point
 
-# Custom properties of the isolines' curve data: one number per spline, in the order of the splines.
+# Of isolines: custom properties of a legacy curve (one number per spline, in their order), else attributes.
 LEVEL = "dirichlet_level"
 CLOSED = "dirichlet_closed"
 LENGTH = "dirichlet_length"  # in object space
+LINE = "dirichlet_line"  # number of the line; of attributes alone

@@ -11,7 +11,7 @@ from collections.abc import Callable
 import bpy
 
 from .. import library
-from . import attributes, field_task, line_task, material, meshes, patches, ramp
+from . import attributes, field_task, line_task, material, meshes, patches, ramp, result_objects
 from .field_task import FieldResult
 from .line_task import IsolineResult
 
@@ -29,13 +29,21 @@ def solve_field(obj: bpy.types.Object, *, progress: Progress = lambda done: None
 
 
 def make_isolines(obj: bpy.types.Object, *, progress: Progress = lambda done: None) -> IsolineResult:
-    """Extracts isolines of the field that the mesh carries, and writes them into the object's curve object."""
+    """Extracts isolines of the field that the mesh carries, and writes them into the object's result; a locked one
+    stays, and another is made."""
     task = line_task.read(obj)
     values = line_task.read_values(obj)
     progress(0.2)
     outcome = task.compute(values)
     progress(0.4)
-    return line_task.write(obj, outcome)
+    return line_task.write(obj, outcome, result_objects.find_unlocked(obj))
+
+
+def refresh(result: bpy.types.Object) -> IsolineResult:
+    """Makes the lines of a result anew: by the settings of its mesh object if it is the bound one, else by its own."""
+    source = result_objects.require_source(result)
+    task = line_task.read(source, result_objects.settings_of(result, source))
+    return line_task.write(source, task.compute(line_task.read_values(source)), result)
 
 
 def update_colors(obj: bpy.types.Object) -> None:

@@ -12,18 +12,25 @@ from . import (
     patch_source_operators,
     preferences,
     properties,
+    result_object_properties,
+    result_operators,
+    result_panels,
 )
 
-_CLASSES = (
-    *preferences.CLASSES,
-    *properties.CLASSES,
-    *patch_operators.CLASSES,
-    *patch_list_operators.CLASSES,
-    *patch_source_operators.CLASSES,
-    *field_operators.CLASSES,
-    *lists.CLASSES,
-    *panels.CLASSES,
+_MODULES = (
+    preferences,
+    properties,
+    result_object_properties,
+    patch_operators,
+    patch_list_operators,
+    patch_source_operators,
+    field_operators,
+    result_operators,
+    lists,
+    panels,
+    result_panels,
 )
+_CLASSES = tuple(cls for module in _MODULES for cls in module.CLASSES)
 
 
 def register() -> None:
@@ -34,9 +41,15 @@ def register() -> None:
         name="Dirichlet Isolines",
         description="Patches, settings and results of Dirichlet Isolines for this object",
     )
+    bpy.types.Object.dirichlet_isolines = bpy.props.PointerProperty(
+        type=result_object_properties.DirichletIsolines,
+        name="Dirichlet Isolines Result",
+        description="What this object's isolines were made of, and how",
+    )
 
 
 def unregister() -> None:
+    del bpy.types.Object.dirichlet_isolines
     del bpy.types.Object.dirichlet
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What follows when a property of Object.dirichlet changes."""
+"""What follows when a property of Object.dirichlet or Object.dirichlet_isolines changes."""
 
 from contextlib import suppress
 
@@ -14,9 +14,9 @@ def ramp_preset_changed(settings, context) -> None:
 
 
 def bevel_depth_changed(settings, context) -> None:
-    from ..blender import curves
+    from ..blender import result_drawing
 
-    curves.set_radius(settings.id_data, settings.bevel_depth)
+    result_drawing.set_thickness(settings)
 
 
 def get_patch_color(patch) -> tuple[float, float, float]:

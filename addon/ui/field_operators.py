@@ -48,8 +48,8 @@ class DIRICHLET_OT_make_isolines(bpy.types.Operator):
     bl_idname = "dirichlet.make_isolines"
     bl_label = "Make Isolines"
     bl_description = (
-        "Draw isolines of the field as a curve object, parented to this one. Running again updates that object; its "
-        "curve has a level, closed flag and length for each spline: custom properties dirichlet_level, _closed, _length"
+        "Draw isolines of the field as an object parented to this one. Running again updates that object; when it is "
+        "locked or no longer parented, it stays and another is made"
     )
     bl_options = {"REGISTER", "UNDO"}
 
@@ -66,8 +66,7 @@ class DIRICHLET_OT_make_isolines(bpy.types.Operator):
         except library.refusals() as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        lines = result.lines
-        self.report({"INFO"}, f"{len(lines)} isolines at {len(lines.levels)} levels, {int(lines.closed.sum())} closed")
+        self.report({"INFO"}, result.summary())
         for warning in result.warnings:
             self.report({"WARNING"}, warning)
         return {"FINISHED"}

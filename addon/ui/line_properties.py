@@ -1,9 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How isolines are chosen and drawn."""
 
+import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 
 from . import callbacks
+
+_OUTPUTS = (
+    ("CURVE", "Curve", "A curve object with a material per level. In geometry nodes (Object Info) and after conversion "
+     "the level of a line is its points' tilt; Is Spline Cyclic and Spline Length tell the rest. The curve itself has "
+     "custom properties dirichlet_level, dirichlet_closed and dirichlet_length, one number per spline"),
+    ("MESH", "Mesh Edges", "A mesh of edges, for geometry nodes (Mesh to Curve), with attributes per point: "
+     "dirichlet_level, dirichlet_closed, dirichlet_length, dirichlet_line (its number), dirichlet_color and radius"),
+    ("CURVES", "Curves", "The curves of geometry nodes and hair, with attributes per curve: dirichlet_level, "
+     "dirichlet_closed, dirichlet_length, dirichlet_line (its number) and dirichlet_color; per point: radius"),
+)  # fmt: skip
+_CAN_ADD_CURVES = "add_curves" in bpy.types.Curves.bl_rna.functions  # not in Blender 3
 
 
 class LineSettings:
@@ -45,6 +57,7 @@ class LineSettings:
         subtype="FACTOR",
         min=0.0,
         max=1.0,
+        options={"ANIMATABLE", "SKIP_SAVE"},
         get=callbacks.get_window_low_place,
         set=callbacks.set_window_low_place,
     )
@@ -54,6 +67,7 @@ class LineSettings:
         subtype="FACTOR",
         min=0.0,
         max=1.0,
+        options={"ANIMATABLE", "SKIP_SAVE"},
         get=callbacks.get_window_high_place,
         set=callbacks.set_window_high_place,
     )
@@ -78,4 +92,10 @@ class LineSettings:
         precision=4,
         step=0.02,
         update=callbacks.bevel_depth_changed,
+    )
+    output: EnumProperty(
+        name="Output",
+        description="What the isolines are written as. A change replaces the object when they are next made, with its "
+        "name, parent, collections and transform",
+        items=_OUTPUTS if _CAN_ADD_CURVES else _OUTPUTS[:2],
     )

@@ -4,8 +4,9 @@
 import bpy
 
 from .. import library
-from ..blender import material
+from ..blender import material, result_objects
 from .common import write_sentence
+from .line_layout import draw_line_settings, properties
 
 
 class _Panel:
@@ -15,7 +16,8 @@ class _Panel:
 
     @classmethod
     def poll(cls, context):
-        return context.active_object is not None and context.active_object.type == "MESH"
+        obj = context.active_object
+        return obj is not None and obj.type == "MESH" and not result_objects.is_result(obj)
 
 
 class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
@@ -23,7 +25,8 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return True  # the one that says what to do when there is no mesh
+        obj = context.active_object  # the one that says what to do when there is no mesh
+        return obj is None or not result_objects.is_result(obj)
 
     def draw(self, context):
         layout, obj = self.layout, context.active_object
@@ -53,7 +56,7 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
         column.menu("DIRICHLET_MT_patches_from", icon="ADD")
         column.operator("dirichlet.patch_spread_values", icon="ARROW_LEFTRIGHT")
         column.operator("dirichlet.check_patches", icon="VIEWZOOM")
-        column = _properties(layout)
+        column = properties(layout)
         if patch:
             column.prop_search(patch, "group", obj, "vertex_groups", text="Group")
             if not patch.weights_as_values:
@@ -73,7 +76,7 @@ class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
         row = layout.row()
         row.scale_y = 1.4
         row.operator("dirichlet.solve_field", icon="SHADING_RENDERED")
-        column = _properties(layout)
+        column = properties(layout)
         column.prop(settings, "method")
         column.prop(settings, "ramp_preset")
         ramp = material.find_ramp(obj)
@@ -96,19 +99,7 @@ class DIRICHLET_PT_isolines(_Panel, bpy.types.Panel):
         row = layout.row()
         row.scale_y = 1.4
         row.operator("dirichlet.make_isolines", icon="CURVE_DATA")
-        layout.row().prop(settings, "levels_mode", expand=True)
-        column = _properties(layout)
-        if settings.levels_mode == "LIST":
-            column.prop(settings, "levels_list")
-        else:
-            for name in ("count",) if settings.levels_mode == "EVEN" else ("step", "phase"):
-                column.prop(settings, name)
-            column.prop(settings, "window_auto")
-            window = column.column(align=True)
-            window.active = not settings.window_auto
-            window.prop(settings, "window_low")
-            window.prop(settings, "window_high")
-        column.prop(settings, "bevel_depth")
+        draw_line_settings(layout, settings)
 
 
 class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
@@ -144,14 +135,6 @@ class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
         warnings += results.isoline_warnings.splitlines() if results.extracted else []
         for warning in warnings:
             write_sentence(layout, context, warning, "INFO")
-
-
-def _properties(layout: bpy.types.UILayout) -> bpy.types.UILayout:
-    """A column of properties with their names on the left."""
-    column = layout.column()
-    column.use_property_split = True
-    column.use_property_decorate = False
-    return column
 
 
 CLASSES = (DIRICHLET_PT_patches, DIRICHLET_PT_field, DIRICHLET_PT_isolines, DIRICHLET_PT_results)

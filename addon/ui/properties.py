@@ -100,8 +100,8 @@ class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
     isolines: PointerProperty(
         type=bpy.types.Object,
         name="Isolines",
-        description="Curve object with the isolines of this object; Make Isolines updates it. Clear its parent to keep "
-        "it as it is: the next run then makes another",
+        description="Object with the isolines of this one; Make Isolines updates it. Lock it or clear its parent to "
+        "keep it as it is: the next run then makes another",
     )
     results: PointerProperty(
         type=DirichletResults, name="Results", description="What the last solve and the last isolines measured"

@@ -225,7 +225,7 @@ def test_results_count_closed_and_open_lines(sphere, sheet):
 
 
 def test_points_that_coincide_in_float32_are_one(addon):
-    curves = importlib.import_module(f"{addon.__name__}.blender.curves")
+    drawing = importlib.import_module(f"{addon.__name__}.blender.outputs.drawing")
     step = 1e-12
     stay, close, vanish, vanish_open, return_to_start = (
         [0, step, 1, 2, 2 + step],
@@ -241,8 +241,9 @@ def test_points_that_coincide_in_float32_are_one(addon):
         closed=np.array([False, True, True, False, False]),
         level=np.arange(5),
         length=np.ones(5),
+        levels=np.arange(5.0),
     )
-    splines = curves.split(lines)
-    assert splines.offsets == [0, 3, 6, 9]
-    assert np.array_equal(splines.points[:, 0], [1, 2, 3, 2, 3, 1, 6, 7, 6])
-    assert splines.level.tolist() == [0, 1, 4]
+    drawn = drawing.draw(lines, np.ones((5, 4), np.float32), 0.1)
+    assert drawn.offsets.tolist() == [0, 3, 6, 9]
+    assert np.array_equal(drawn.points[:, 0], [1, 2, 3, 2, 3, 1, 6, 7, 6])
+    assert drawn.level.tolist() == [0, 1, 4]

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How the settings of isolines are laid out, for the mesh object and for results."""
+
+import bpy
+
+_OF_MODE = {"EVEN": ("count",), "STEP": ("step", "phase")}
+
+
+def draw_line_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
+    """settings: a LineSettings."""
+    layout.row().prop(settings, "levels_mode", expand=True)
+    column = properties(layout)
+    if settings.levels_mode == "LIST":
+        column.prop(settings, "levels_list")
+    else:
+        for name in _OF_MODE[settings.levels_mode]:
+            column.prop(settings, name)
+        column.prop(settings, "window_auto")
+        window = column.column(align=True)
+        window.active = not settings.window_auto
+        window.prop(settings, "window_low")
+        window.prop(settings, "window_high")
+    column.separator()
+    column.prop(settings, "bevel_depth")
+    column.prop(settings, "output")
+
+
+def properties(layout: bpy.types.UILayout) -> bpy.types.UILayout:
+    """A column of properties with their names on the left."""
+    column = layout.column()
+    column.use_property_split = True
+    column.use_property_decorate = False
+    return column

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a result remembers: the mesh object it was made of, and how."""
+
+import bpy
+from bpy.props import BoolProperty, PointerProperty
+
+from .line_properties import LineSettings
+
+
+class DirichletIsolines(LineSettings, bpy.types.PropertyGroup):
+    """Object.dirichlet_isolines"""
+
+    source: PointerProperty(
+        type=bpy.types.Object, name="Source", description="Mesh object that these isolines are made of"
+    )
+    locked: BoolProperty(
+        name="Lock",
+        description="Keep these isolines as they are: nothing refreshes them, and Make Isolines makes another object",
+    )
+    follow: BoolProperty(
+        name="Follow",
+        description="Refresh these isolines when their mesh object changes: its field, its settings, its shape as the "
+        "modifiers, shape keys or armature give it; and at every frame",
+    )
+
+    @property
+    def results(self):
+        """What the field measured."""
+        return (self.source or self.id_data).dirichlet.results
+
+
+CLASSES = (DirichletIsolines,)
