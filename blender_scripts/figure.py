@@ -77,7 +77,7 @@ def _isolines(
 ) -> bpy.types.Object:
     """The object's isolines, made anew."""
     settings = obj.dirichlet
-    settings.levels_mode, settings.count = "EVEN", count
+    settings.levels_mode, settings.count, settings.output = "EVEN", count, "CURVE"
     if window:
         settings.window_low, settings.window_high = window
     settings.window_auto = window is None

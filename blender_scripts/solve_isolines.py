@@ -118,6 +118,8 @@ def make_isolines(addon: ModuleType, obj: bpy.types.Object, mesh, args: argparse
         return library.load().isolines(mesh, values, levels)
     obj.dirichlet.levels_mode = "LIST"
     obj.dirichlet.levels_list = ", ".join(map(repr, levels.tolist()))
+    if args.render:
+        obj.dirichlet.output = "CURVE"  # nothing else has a thickness in a picture
     return part(addon, "blender.pipeline").make_isolines(obj).lines
 
 
