@@ -11,10 +11,12 @@ from collections.abc import Sequence
 
 import bpy
 
+from .. import library
 from .names import FIELD
 
 _RAMP = "Dirichlet Ramp"
 _RANGE = "Dirichlet Range"
+_SHOWN = "Undefined or Ramp"
 
 Stops = Sequence[tuple[float, tuple[float, float, float]]]
 
@@ -78,6 +80,36 @@ def new_with_nodes(name: str) -> tuple[bpy.types.Material, bpy.types.ShaderNodeB
     return material, next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
 
 
+def require_own(obj: bpy.types.Object) -> bpy.types.Material:
+    """The object's field material, copied first if other objects use it. Raises InputError when there is none, or when
+    it belongs to another file."""
+    found = find(obj)
+    if found is None:
+        raise library.load().InputError(f"object '{obj.name}' has no field material: run Solve Field first")
+    if found.library:
+        raise library.load().InputError(f"material '{found.name}' is linked from another file: make it local first")
+    own = _single_user(obj, found)
+    for slot in obj.material_slots:
+        if slot.material == found:
+            slot.material = own
+    return own
+
+
+def color_output(tree: bpy.types.NodeTree) -> bpy.types.NodeSocket:
+    """Where the field's colours come out of the nodes made here."""
+    node = tree.nodes.get(_SHOWN) or tree.nodes[_RAMP]
+    return next(socket for socket in node.outputs if socket.enabled)
+
+
+def add_node(nodes: bpy.types.Nodes, kind: str, location: tuple[int, int], name: str = "") -> bpy.types.Node:
+    """A node at a place, with a name and label if one is given."""
+    node = nodes.new(kind)
+    node.location = location
+    if name:
+        node.name = node.label = name
+    return node
+
+
 def _is_ours(material: bpy.types.Material | None) -> bool:
     return bool(material and material.node_tree and {_RAMP, _RANGE} <= set(material.node_tree.nodes.keys()))
 
@@ -102,15 +134,15 @@ def _single_user(obj: bpy.types.Object, material: bpy.types.Material) -> bpy.typ
 def _build(name: str, stops: Stops, undefined: tuple[float, float, float]) -> bpy.types.Material:
     material, surface = new_with_nodes(f"{name} field")
     nodes, links = material.node_tree.nodes, material.node_tree.links
-    field = _node(nodes, "ShaderNodeAttribute", (-1100, 200))
+    field = add_node(nodes, "ShaderNodeAttribute", (-1100, 200))
     field.attribute_name = FIELD
-    scale = _node(nodes, "ShaderNodeMapRange", (-900, 300), _RANGE)
-    ramp = _node(nodes, "ShaderNodeValToRGB", (-700, 300), _RAMP)
+    scale = add_node(nodes, "ShaderNodeMapRange", (-900, 300), _RANGE)
+    ramp = add_node(nodes, "ShaderNodeValToRGB", (-700, 300), _RAMP)
     set_stops(ramp.color_ramp, stops)
-    defined = _node(nodes, "ShaderNodeMath", (-700, 0), "Defined")
+    defined = add_node(nodes, "ShaderNodeMath", (-700, 0), "Defined")
     defined.operation = "GREATER_THAN"  # than a number below all others: false for NaN alone
     defined.inputs[1].default_value = -3e38
-    mix = _node(nodes, "ShaderNodeMix", (-350, 200), "Undefined or Ramp")
+    mix = add_node(nodes, "ShaderNodeMix", (-350, 200), _SHOWN)
     mix.data_type = "RGBA"
     factor, other, color = (socket for socket in mix.inputs if socket.enabled)
     other.default_value = (*undefined, 1.0)
@@ -121,11 +153,3 @@ def _build(name: str, stops: Stops, undefined: tuple[float, float, float]) -> bp
     links.new(ramp.outputs["Color"], color)
     links.new(next(socket for socket in mix.outputs if socket.enabled), surface.inputs["Base Color"])
     return material
-
-
-def _node(nodes: bpy.types.Nodes, kind: str, location: tuple[int, int], name: str = "") -> bpy.types.Node:
-    node = nodes.new(kind)
-    node.location = location
-    if name:
-        node.name = node.label = name
-    return node

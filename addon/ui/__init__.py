@@ -15,6 +15,8 @@ from . import (
     result_object_properties,
     result_operators,
     result_panels,
+    stripe_operators,
+    stripe_panel,
 )
 
 _MODULES = (
@@ -29,6 +31,8 @@ _MODULES = (
     lists,
     panels,
     result_panels,
+    stripe_operators,
+    stripe_panel,
 )
 _CLASSES = tuple(cls for module in _MODULES for cls in module.CLASSES)
 
