@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import attributes, material, meshes, painting, preferences, ramp, results
+from . import attributes, looks, material, meshes, painting, preferences, ramp, results
 from .sessions import Session, open_session
 from .stopwatch import Stopwatch
 
@@ -84,7 +84,10 @@ def write(obj: bpy.types.Object, outcome: FieldOutcome) -> FieldResult:
     """Material, attributes and `obj.dirichlet.results`; only what differs from what is there."""
     task, ramps = outcome.task, library.load("ramps")
     task.clock.restart()
+    begun = material.find_ramp(obj) is None
     shown = material.show(obj, outcome.ends, ramps.RAMPS[obj.dirichlet.ramp_preset], ramps.UNDEFINED_COLOR)
+    if begun:
+        looks.apply(obj)
     colors = ramp.read_table(obj).apply(outcome.values, outcome.ends) if outcome.colors is None else outcome.colors
     attributes.write(obj.data, outcome.values, colors)
     task.clock.lap("write")

@@ -18,7 +18,7 @@ _RAMP = "Dirichlet Ramp"
 _RANGE = "Dirichlet Range"
 _SHOWN = "Undefined or Ramp"
 
-Stops = Sequence[tuple[float, tuple[float, float, float]]]
+Stops = Sequence[tuple[float, Sequence[float]]]  # place, and RGB or RGBA
 
 
 def find(obj: bpy.types.Object) -> bpy.types.Material | None:
@@ -69,7 +69,7 @@ def set_stops(ramp: bpy.types.ColorRamp, stops: Stops) -> None:
     for position, _ in stops[1:]:
         ramp.elements.new(position)
     for element, (_, color) in zip(ramp.elements, stops):
-        element.color = (*color, 1.0)
+        element.color = (*color, 1.0)[:4]
 
 
 def new_with_nodes(name: str) -> tuple[bpy.types.Material, bpy.types.ShaderNodeBsdfPrincipled]:

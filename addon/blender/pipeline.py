@@ -10,8 +10,7 @@ from collections.abc import Callable
 
 import bpy
 
-from .. import library
-from . import attributes, field_task, line_task, material, meshes, patches, ramp, result_objects
+from . import attributes, field_task, line_task, looks, material, meshes, patches, ramp, result_objects
 from .field_task import FieldResult
 from .line_task import IsolineResult
 
@@ -54,17 +53,16 @@ def update_colors(obj: bpy.types.Object) -> None:
     attributes.write_colors(obj.data, ramp.read_table(obj).apply(values, ramp.limits(values)))
 
 
-def apply_preset(obj: bpy.types.Object) -> None:
-    """Puts the chosen preset's stops into the ramp of the object's field material, and the colours through it.
+def apply_look(obj: bpy.types.Object) -> None:
+    """Gives the ramp of the object's field material the look that the settings name, and the colours through it.
 
     In Edit Mode the mesh cannot be written, so its colours wait for Update Colors.
     """
-    node = material.find_ramp(obj)
-    if not node:
+    if not material.find_ramp(obj):
         return
     recolored = not obj.data.is_editmode and attributes.has_field(obj.data)
     if recolored:
         attributes.require_names(obj)
-    material.set_stops(node.color_ramp, library.load("ramps").RAMPS[obj.dirichlet.ramp_preset])
+    looks.apply(obj)
     if recolored:
         update_colors(obj)

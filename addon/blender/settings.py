@@ -1,21 +1,41 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings that several property groups share."""
+"""Settings of a property group as plain values.
+
+Settings are all of its properties but pointers, collections (patches) and those marked SKIP_SAVE (a selected row,
+another view of a setting): nobody has to list them.
+"""
 
 from __future__ import annotations
 
+from typing import Any
+
 import bpy
 
+KINDS = {"BOOLEAN": (bool,), "INT": (int,), "FLOAT": (int, float), "STRING": (str,), "ENUM": (str,)}
 _LAST = "window_auto"  # setting an end of the window switches it off
 
 
+def read(group: bpy.types.PropertyGroup) -> dict[str, Any]:
+    """By name, in the order of their definition; arrays as tuples."""
+    return {
+        found.identifier: _plain(getattr(group, found.identifier))
+        for found in group.bl_rna.properties
+        if found.type in KINDS and not (found.is_skip_save or found.identifier == "name")
+    }
+
+
+def write(group: bpy.types.PropertyGroup, values: dict[str, Any]) -> None:
+    """What is equal already is not written: nothing is triggered."""
+    for name in sorted(values, key=_LAST.__eq__):
+        if _plain(getattr(group, name)) != values[name]:
+            setattr(group, name, values[name])
+
+
 def copy(source: bpy.types.PropertyGroup, target: bpy.types.PropertyGroup) -> None:
-    """Gives target every value that both groups keep. What is equal already is not written: nothing is triggered."""
-    for name in sorted(_kept(source) & _kept(target), key=lambda name: (name == _LAST, name)):
-        value = getattr(source, name)
-        if getattr(target, name) != value:
-            setattr(target, name, value)
+    """Gives target every setting that both groups have."""
+    shared = read(target).keys()
+    write(target, {name: value for name, value in read(source).items() if name in shared})
 
 
-def _kept(group: bpy.types.PropertyGroup) -> set[str]:
-    """Names of its properties but those that are derived from others, which are marked SKIP_SAVE."""
-    return {found.identifier for found in group.bl_rna.properties if not found.is_skip_save} - {"rna_type", "name"}
+def _plain(value: Any) -> Any:
+    return tuple(value) if isinstance(value, bpy.types.bpy_prop_array) else value

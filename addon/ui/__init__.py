@@ -11,6 +11,8 @@ from . import (
     patch_operators,
     patch_source_operators,
     preferences,
+    preset_operators,
+    presets_panel,
     properties,
     result_object_properties,
     result_operators,
@@ -28,6 +30,8 @@ _MODULES = (
     patch_source_operators,
     field_operators,
     result_operators,
+    preset_operators,
+    presets_panel,
     lists,
     panels,
     result_panels,
@@ -50,9 +54,11 @@ def register() -> None:
         name="Dirichlet Isolines Result",
         description="What this object's isolines were made of, and how",
     )
+    presets_panel.register()
 
 
 def unregister() -> None:
+    presets_panel.unregister()
     del bpy.types.Object.dirichlet_isolines
     del bpy.types.Object.dirichlet
     for cls in reversed(_CLASSES):

@@ -7,10 +7,14 @@ from .. import library
 
 
 def ramp_preset_changed(settings, context) -> None:
+    settings.ramp_stops = ""
+
+
+def ramp_stops_changed(settings, context) -> None:
     from ..blender import pipeline
 
     with suppress(library.LibraryMissingError), suppress(*library.refusals()):  # panel and operators say so
-        pipeline.apply_preset(settings.id_data)
+        pipeline.apply_look(settings.id_data)
 
 
 def bevel_depth_changed(settings, context) -> None:

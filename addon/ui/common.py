@@ -18,11 +18,16 @@ def poll_mesh(cls: type[bpy.types.Operator], context: bpy.types.Context, modes: 
         cls.poll_message_set("Select a mesh object first")
     elif context.mode not in modes:
         cls.poll_message_set("Go to Object, Weight Paint or Vertex Paint mode first")
-    elif any(block.library or block.override_library for block in (obj, obj.data)):
+    elif not is_local(obj):
         cls.poll_message_set("The object is linked from another file: make it and its data local first")
     else:
         return True
     return False
+
+
+def is_local(obj: bpy.types.Object) -> bool:
+    """Whether object and data are this file's own, to be changed."""
+    return not any(block.library or block.override_library for block in (obj, obj.data))
 
 
 def poll_patch(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:

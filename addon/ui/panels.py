@@ -7,6 +7,7 @@ from .. import library
 from ..blender import material, result_objects
 from .common import write_sentence
 from .line_layout import draw_line_settings, properties
+from .presets_panel import DIRICHLET_PT_presets
 
 
 class _Panel:
@@ -69,6 +70,9 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
 
 class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
     bl_label = "Field"
+
+    def draw_header_preset(self, context):
+        DIRICHLET_PT_presets.draw_panel_header(self.layout)
 
     def draw(self, context):
         layout, obj = self.layout, context.active_object

@@ -61,7 +61,9 @@ class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
     """Object.dirichlet"""
 
     patches: CollectionProperty(type=DirichletPatch, name="Patches", description="Painted patches of this object")
-    active_patch: IntProperty(name="Active Patch", description="Selected row of the list of patches")
+    active_patch: IntProperty(
+        name="Active Patch", description="Selected row of the list of patches", options={"SKIP_SAVE"}
+    )
     threshold: FloatProperty(
         name="Threshold",
         description="A vertex belongs to a patch when its weight in the group is at least this, and above 0",
@@ -96,6 +98,12 @@ class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
         description="Colours for values from low to high. Choosing one replaces the stops of the ramp below",
         items=RAMPS,
         update=callbacks.ramp_preset_changed,
+    )
+    ramp_stops: StringProperty(
+        name="Ramp Stops",
+        description="Stops that the ramp begins with in place of the chosen ramp's, as a preset brought them: JSON "
+        "with color_mode, interpolation, hue_interpolation and stops of place, red, green, blue and alpha",
+        update=callbacks.ramp_stops_changed,
     )
     isolines: PointerProperty(
         type=bpy.types.Object,

@@ -107,7 +107,7 @@ def test_preset_leaves_ramp_and_colors_when_a_name_is_taken(material, pipeline, 
     obj.dirichlet.ramp_preset = "grey"
     assert "Traceback" not in "".join(capfd.readouterr())
     with pytest.raises(surface.InputError, match="'dirichlet_color' of mesh 'Grid' is a vertex group"):
-        pipeline.apply_preset(obj)
+        pipeline.apply_look(obj)
     assert [tuple(stop.color) for stop in material.find_ramp(obj).color_ramp.elements] == shown
     assert np.array_equal(colors_of(obj), colors)
 
