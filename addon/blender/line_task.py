@@ -53,6 +53,7 @@ class IsolineResult:
     warnings: tuple[str, ...]
     seconds: dict[str, float]  # "read", "connectivity", "isolines", "write"
 
+    @property
     def summary(self) -> str:
         """One line for people."""
         lines = self.lines

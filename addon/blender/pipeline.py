@@ -23,7 +23,12 @@ def solve_field(obj: bpy.types.Object, *, progress: Progress = lambda done: None
     progress(0.3)
     outcome = task.compute()
     progress(0.8)
-    patches.record_facts(obj, task.session.mesh, task.patches)
+    return write_field(obj, outcome)
+
+
+def write_field(obj: bpy.types.Object, outcome: field_task.FieldOutcome) -> FieldResult:
+    """Writes a field that is computed, and what was found out about its patches."""
+    patches.record_facts(obj, outcome.task.session.mesh, outcome.task.patches)
     return field_task.write(obj, outcome)
 
 

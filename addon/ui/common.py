@@ -7,6 +7,8 @@ from contextlib import contextmanager
 
 import bpy
 
+from ..blender.result_objects import is_result
+
 _MODES = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX")
 _SLOW = 50_000  # vertices from which an operator may take half a second
 
@@ -30,6 +32,13 @@ def is_local(obj: bpy.types.Object) -> bool:
     return not any(block.library or block.override_library for block in (obj, obj.data))
 
 
+def chosen_meshes(context: bpy.types.Context) -> list[bpy.types.Object]:
+    """The active mesh object, then the others selected that can be changed, by name; results of ours are none."""
+    active = context.active_object
+    others = (obj for obj in context.selected_objects if obj.type == "MESH" and obj != active and is_local(obj))
+    return [active, *sorted((obj for obj in others if not is_result(obj)), key=lambda obj: obj.name)]
+
+
 def poll_patch(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
     """Whether a row of the list of patches is selected, given a mesh; else says what to do."""
     settings = context.active_object.dirichlet
@@ -51,6 +60,14 @@ def progress(context: bpy.types.Context) -> Iterator[Callable[[float], None]]:
         yield manager.progress_update
     finally:
         manager.progress_end()
+
+
+def report_made(operator: bpy.types.Operator, made) -> set[str]:
+    """Reports summary and warnings of what was made; what the operator's execute returns."""
+    operator.report({"INFO"}, made.summary)
+    for warning in made.warnings:
+        operator.report({"WARNING"}, warning)
+    return {"FINISHED"}
 
 
 def write_sentence(layout: bpy.types.UILayout, context: bpy.types.Context, sentence: str, icon: str) -> None:

@@ -7,15 +7,16 @@ from .. import library
 from ..blender import material
 from ..blender.names import FIELD
 from . import viewport
-from .common import poll_mesh, progress
+from .common import chosen_meshes, poll_mesh, progress, report_made
 
 
 class DIRICHLET_OT_solve_field(bpy.types.Operator):
     bl_idname = "dirichlet.solve_field"
     bl_label = "Solve Field"
     bl_description = (
-        "Solve for the smooth field that takes the patches' values, and show it: attributes dirichlet_field and "
-        "dirichlet_color, and a material. The mesh keeps its own materials, the field's covers them on this object"
+        "Solve for the smooth field that takes the patches' values, on every selected mesh that has patches, and show "
+        "it: attributes dirichlet_field and dirichlet_color, and a material. The mesh keeps its own materials, the "
+        "field's covers them on this object"
     )
     bl_options = {"REGISTER", "UNDO"}
 
@@ -23,33 +24,31 @@ class DIRICHLET_OT_solve_field(bpy.types.Operator):
     def poll(cls, context):
         if not poll_mesh(cls, context):
             return False
-        if not any(patch.enabled for patch in context.active_object.dirichlet.patches):
+        if not _is_painted(context.active_object):
             cls.poll_message_set("Add a patch first: paint a vertex group and press + in the list of patches")
             return False
         return True
 
     def execute(self, context):
-        from ..blender import pipeline
+        from ..blender import several
 
+        objects = [obj for obj in chosen_meshes(context) if _is_painted(obj)]
         try:
             with progress(context) as show:
-                result = pipeline.solve_field(context.active_object, progress=show)
+                made = several.solve_fields(objects, progress=show)
         except library.refusals() as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         viewport.show_vertex_colors(context)
-        self.report({"INFO"}, result.field.report.summary())
-        for warning in result.warnings:
-            self.report({"WARNING"}, warning)
-        return {"FINISHED"}
+        return report_made(self, made)
 
 
 class DIRICHLET_OT_make_isolines(bpy.types.Operator):
     bl_idname = "dirichlet.make_isolines"
     bl_label = "Make Isolines"
     bl_description = (
-        "Draw isolines of the field as an object parented to this one. Running again updates that object; when it is "
-        "locked or no longer parented, it stays and another is made"
+        "Draw isolines of the field as an object parented to this one, for every selected mesh that has a field. "
+        "Running again updates that object; when it is locked or no longer parented, it stays and another is made"
     )
     bl_options = {"REGISTER", "UNDO"}
 
@@ -58,18 +57,16 @@ class DIRICHLET_OT_make_isolines(bpy.types.Operator):
         return poll_mesh(cls, context) and _poll_field(cls, context)
 
     def execute(self, context):
-        from ..blender import pipeline
+        from ..blender import several
 
+        objects = [obj for obj in chosen_meshes(context) if FIELD in obj.data.attributes]
         try:
             with progress(context) as show:
-                result = pipeline.make_isolines(context.active_object, progress=show)
+                made = several.make_isolines(objects, progress=show)
         except library.refusals() as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self.report({"INFO"}, result.summary())
-        for warning in result.warnings:
-            self.report({"WARNING"}, warning)
-        return {"FINISHED"}
+        return report_made(self, made)
 
 
 class DIRICHLET_OT_update_colors(bpy.types.Operator):
@@ -111,6 +108,10 @@ class DIRICHLET_OT_restore_materials(bpy.types.Operator):
     def execute(self, context):
         material.restore(context.active_object)
         return {"FINISHED"}
+
+
+def _is_painted(obj: bpy.types.Object) -> bool:
+    return any(patch.enabled for patch in obj.dirichlet.patches)
 
 
 def _poll_field(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:

@@ -5,6 +5,7 @@ import bpy
 
 from .. import library
 from ..blender import result_objects
+from .common import report_made
 
 
 class DIRICHLET_OT_result_refresh(bpy.types.Operator):
@@ -32,10 +33,7 @@ class DIRICHLET_OT_result_refresh(bpy.types.Operator):
         except library.refusals() as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self.report({"INFO"}, made.summary())
-        for warning in made.warnings:
-            self.report({"WARNING"}, warning)
-        return {"FINISHED"}
+        return report_made(self, made)
 
 
 class DIRICHLET_OT_result_remove(bpy.types.Operator):
