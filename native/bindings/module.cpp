@@ -8,6 +8,7 @@ PYBIND11_MODULE(_native, module) {
   bind_errors(module);
   bind_mesh(module);
   bind_field(module);
+  bind_geodesic(module);
   bind_isolines(module);
   bind_files(module);
   bind_patches(module);

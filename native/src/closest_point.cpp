@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 
+#include "index.h"
 #include "parallel.h"
 #include "vector3.h"
 
@@ -45,17 +46,12 @@ Nearest nearest_to_origin(const std::array<Vector3, 3>& corner) {
   return best;
 }
 
-} // namespace
-
-SurfacePoint closest_point(const Mesh& triangles, const std::array<double, 3>& point) {
-  const auto corners = triangles.corners();
-  const auto positions = triangles.positions();
-  double size = 0;
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    size = std::max(size, std::abs(positions[i] / 2 - point[i % 3] / 2));
+/// Among the triangles of these corners. \param size  no less than half the largest difference in a coordinate
+SurfacePoint closest_point(std::span<const Index> corners, std::span<const double> positions,
+                           const std::array<double, 3>& point, double size) {
   const double scale = unit_scale(size);
   const auto seen_from_point = [&](Index vertex) {
-    const auto v = 3 * static_cast<std::size_t>(vertex);
+    const auto v = 3 * at(vertex);
     const auto axis = [&](std::size_t i) { return (positions[v + i] / 2 - point[i] / 2) * scale; };
     return Vector3{axis(0), axis(1), axis(2)};
   };
@@ -79,6 +75,26 @@ SurfacePoint closest_point(const Mesh& triangles, const std::array<double, 3>& p
     place = where;
   });
   return {{corners[3 * place], corners[3 * place + 1], corners[3 * place + 2]}, best.weights};
+}
+
+} // namespace
+
+SurfacePoint closest_point(const Mesh& triangles, const std::array<double, 3>& point) {
+  const auto positions = triangles.positions();
+  double size = 0;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    size = std::max(size, std::abs(positions[i] / 2 - point[i % 3] / 2));
+  return closest_point(triangles.corners(), positions, point, size);
+}
+
+SurfacePoint closest_point(const Mesh& triangles, const std::array<double, 3>& point, Index first, Index last) {
+  const auto corners = triangles.corners().subspan(3 * at(first), 3 * at(last - first));
+  const auto positions = triangles.positions();
+  double size = 0;
+  for (const Index v : corners)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      size = std::max(size, std::abs(positions[3 * at(v) + axis] / 2 - point[axis] / 2));
+  return closest_point(corners, positions, point, size);
 }
 
 } // namespace dirichlet

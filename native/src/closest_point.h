@@ -17,4 +17,7 @@ struct SurfacePoint {
 /// area count as the segments or points that they are. Cost: O(T).
 SurfacePoint closest_point(const Mesh& triangles, const std::array<double, 3>& point);
 
+/// The same among the triangles first … last - 1 alone, at least one. Cost: O(last - first).
+SurfacePoint closest_point(const Mesh& triangles, const std::array<double, 3>& point, Index first, Index last);
+
 } // namespace dirichlet

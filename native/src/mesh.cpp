@@ -9,6 +9,7 @@
 #include "connectivity.h"
 #include "dirichlet/error.h"
 #include "dirichlet/triangulation.h"
+#include "groups.h"
 #include "index.h"
 #include "message.h"
 #include "stopwatch.h"
@@ -154,6 +155,12 @@ const Mesh& Mesh::triangulated() const {
     triangulated_ = std::make_unique<Mesh>(positions_, triangulate(positions(), offsets_, corners_), 3);
   });
   return *triangulated_;
+}
+
+const Groups& Mesh::corners_by_vertex() const {
+  std::call_once(group_corners_once_,
+                 [this] { corners_by_vertex_ = std::make_shared<const Groups>(at(vertex_count()), corners_); });
+  return *corners_by_vertex_;
 }
 
 Components Mesh::components() const {

@@ -34,6 +34,8 @@ struct BorderLoops {
   std::vector<Index> vertices; ///< every loop starts at its lowest vertex
 };
 
+struct Groups;
+
 /// A polygon mesh: positions, faces and their connectivity. Immutable, and safe to read from several threads.
 ///
 /// Any number of corners per face, any number of faces per edge, any orientation, vertices without a face: all legal.
@@ -71,6 +73,10 @@ class Mesh {
   /// the first call and kept (see triangulation.h). \throws TopologyError  a polygon that has no triangulation.
   [[nodiscard]] const Mesh& triangulated() const;
 
+  /// The corners at every vertex, ascending: what a walk over the surface needs, and nothing else. Made at the first
+  /// call and kept.
+  [[nodiscard]] const Groups& corners_by_vertex() const;
+
   [[nodiscard]] Components components() const;                          ///< Cost: O(V + E)
   [[nodiscard]] BorderLoops border_loops() const;                       ///< Cost: O(V + E)
   [[nodiscard]] double build_seconds() const { return build_seconds_; } ///< wall time of validation and connectivity
@@ -86,6 +92,8 @@ class Mesh {
   double build_seconds_ = 0;
   mutable std::once_flag triangulate_once_;
   mutable std::unique_ptr<const Mesh> triangulated_;
+  mutable std::once_flag group_corners_once_;
+  mutable std::shared_ptr<const Groups> corners_by_vertex_;
 };
 
 } // namespace dirichlet

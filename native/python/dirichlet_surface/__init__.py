@@ -10,6 +10,7 @@ All errors are DirichletError: InputError, TopologyError or SolverError, one sen
 
 from ._native import DirichletError, InputError, SolverError, TopologyError
 from .field import CsrMatrix, Field, HarmonicSolver, SolveReport, dirichlet_laplacian, solve
+from .geodesic import geodesic_disc
 from .lines import Isolines, even_levels, isolines, level_through_point, stepped_levels
 from .mesh import Mesh, PatchFacts, inspect_patches, read_mesh, write_mesh
 from .painting import Painting, Patch, combine_patches
@@ -31,6 +32,7 @@ __all__ = [
     "combine_patches",
     "dirichlet_laplacian",
     "even_levels",
+    "geodesic_disc",
     "inspect_patches",
     "isolines",
     "level_through_point",

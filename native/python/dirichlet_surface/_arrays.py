@@ -47,6 +47,13 @@ def as_reals(values: ArrayLike, what: str) -> Reals:
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
+def as_real(value: Any, what: str) -> float:
+    """One number; `what` in the plural."""
+    number = as_reals([value], what)
+    require_shape(number, (1,), what)
+    return float(number[0])
+
+
 def as_count(value: Any, what: str, most: int) -> int:
     """A whole number from 1 to `most`."""
     try:
