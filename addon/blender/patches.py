@@ -11,54 +11,52 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import groups, meshes, painting, preferences, sessions
+from . import groups, meshes, painting, preferences, sessions, settings
 
 
 def add(obj: bpy.types.Object, group: str) -> None:
     """A row for the vertex group, selected, with the next value: 0, then one more than the highest."""
-    settings = obj.dirichlet
-    if not settings.patches:
-        preferences.begin(settings)
-    value = max((patch.value for patch in settings.patches), default=-1.0) + 1.0
-    patch = settings.patches.add()
-    patch.group, patch.value = group, value
-    settings.active_patch = len(settings.patches) - 1
+    rows = obj.dirichlet.patches
+    if not rows:
+        preferences.begin(obj.dirichlet)
+    value = max((row.value for row in rows), default=-1.0) + 1.0
+    row = rows.add()
+    row.group, row.value = group, value
+    obj.dirichlet.active_patch = len(rows) - 1
 
 
 def add_group(obj: bpy.types.Object, name: str, vertices: NDArray[np.integer]) -> None:
     """A vertex group of these vertices at weight 1, and its row; the name is made free by a number behind it."""
     add(obj, groups.add_group(obj, name, vertices))
+    obj.dirichlet.patches[-1].vertices = len(vertices)
 
 
 def duplicate(obj: bpy.types.Object) -> None:
     """Puts a copy of the selected row, with a copy of its vertex group, behind it and selects that."""
-    settings = obj.dirichlet
-    row = settings.active_patch
-    name = groups.copy_group(obj, settings.patches[row].group)
-    copy, original = settings.patches.add(), settings.patches[row]
-    for key in ("value", "enabled", "weights_as_values", "vertices", "problem"):
-        setattr(copy, key, getattr(original, key))
+    rows, row = obj.dirichlet.patches, obj.dirichlet.active_patch
+    name = groups.copy_group(obj, rows[row].group)
+    copy, original = rows.add(), rows[row]
+    settings.copy(original, copy)
     copy.group = name
-    settings.patches.move(len(settings.patches) - 1, row + 1)
-    settings.active_patch = row + 1
+    rows.move(len(rows) - 1, row + 1)
+    obj.dirichlet.active_patch = row + 1
 
 
 def move(obj: bpy.types.Object, step: int) -> bool:
     """Moves the selected row by `step`; it stays selected. False, and nothing done, at the end of the list."""
-    settings = obj.dirichlet
-    target = settings.active_patch + step
-    if not 0 <= target < len(settings.patches):
+    rows, row = obj.dirichlet.patches, obj.dirichlet.active_patch
+    if not 0 <= row + step < len(rows):
         return False
-    settings.patches.move(settings.active_patch, target)
-    settings.active_patch = target
+    rows.move(row, row + step)
+    obj.dirichlet.active_patch = row + step
     return True
 
 
 def remove(obj: bpy.types.Object) -> None:
     """Removes the selected row, not its vertex group, and selects the one that takes its place."""
-    settings = obj.dirichlet
-    settings.patches.remove(settings.active_patch)
-    settings.active_patch = max(0, min(settings.active_patch, len(settings.patches) - 1))
+    rows, row = obj.dirichlet.patches, obj.dirichlet.active_patch
+    rows.remove(row)
+    obj.dirichlet.active_patch = max(0, min(row, len(rows) - 1))
 
 
 def inspect(obj: bpy.types.Object) -> None:

@@ -4,12 +4,14 @@
 import bpy
 
 from . import (
+    add_patch_operator,
     field_operators,
     lists,
     panels,
     patch_list_operators,
     patch_operators,
     patch_source_operators,
+    pick_operators,
     preferences,
     preset_operators,
     presets_panel,
@@ -19,6 +21,7 @@ from . import (
     result_panels,
     stripe_operators,
     stripe_panel,
+    tools,
 )
 
 _MODULES = (
@@ -28,7 +31,9 @@ _MODULES = (
     patch_operators,
     patch_list_operators,
     patch_source_operators,
+    add_patch_operator,
     field_operators,
+    pick_operators,
     result_operators,
     preset_operators,
     presets_panel,
@@ -55,9 +60,11 @@ def register() -> None:
         description="What this object's isolines were made of, and how",
     )
     presets_panel.register()
+    tools.register()
 
 
 def unregister() -> None:
+    tools.unregister()
     presets_panel.unregister()
     del bpy.types.Object.dirichlet_isolines
     del bpy.types.Object.dirichlet

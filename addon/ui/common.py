@@ -7,6 +7,7 @@ from contextlib import contextmanager
 
 import bpy
 
+from ..blender.names import FIELD
 from ..blender.result_objects import is_result
 
 _MODES = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX")
@@ -45,6 +46,14 @@ def poll_patch(cls: type[bpy.types.Operator], context: bpy.types.Context) -> boo
     if 0 <= settings.active_patch < len(settings.patches):
         return True
     cls.poll_message_set("Select a patch in the list first")
+    return False
+
+
+def poll_field(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
+    """Whether the mesh carries a field; else says what to do."""
+    if FIELD in context.active_object.data.attributes:
+        return True
+    cls.poll_message_set("Solve Field first")
     return False
 
 

@@ -7,7 +7,7 @@ from .. import library
 from ..blender import material
 from ..blender.names import FIELD
 from . import viewport
-from .common import chosen_meshes, poll_mesh, progress, report_made
+from .common import chosen_meshes, poll_field, poll_mesh, progress, report_made
 
 
 class DIRICHLET_OT_solve_field(bpy.types.Operator):
@@ -54,7 +54,7 @@ class DIRICHLET_OT_make_isolines(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return poll_mesh(cls, context) and _poll_field(cls, context)
+        return poll_mesh(cls, context) and poll_field(cls, context)
 
     def execute(self, context):
         from ..blender import several
@@ -77,7 +77,7 @@ class DIRICHLET_OT_update_colors(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return poll_mesh(cls, context) and _poll_field(cls, context)
+        return poll_mesh(cls, context) and poll_field(cls, context)
 
     def execute(self, context):
         from ..blender import pipeline
@@ -112,13 +112,6 @@ class DIRICHLET_OT_restore_materials(bpy.types.Operator):
 
 def _is_painted(obj: bpy.types.Object) -> bool:
     return any(patch.enabled for patch in obj.dirichlet.patches)
-
-
-def _poll_field(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
-    if FIELD in context.active_object.data.attributes:
-        return True
-    cls.poll_message_set("Solve Field first")
-    return False
 
 
 CLASSES = (

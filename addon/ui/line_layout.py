@@ -8,7 +8,9 @@ _OF_MODE = {"EVEN": ("count",), "STEP": ("step", "phase")}
 
 def draw_line_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
     """settings: a LineSettings."""
-    layout.row().prop(settings, "levels_mode", expand=True)
+    row = layout.row(align=True)
+    row.prop(settings, "levels_mode", expand=True)
+    row.operator("dirichlet.pick_level", text="", icon="EYEDROPPER")
     column = properties(layout)
     if settings.levels_mode == "LIST":
         column.prop(settings, "levels_list")

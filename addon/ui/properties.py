@@ -50,6 +50,7 @@ class DirichletPatch(bpy.types.PropertyGroup):
         min=0.0,
         max=1.0,
         get=callbacks.get_patch_color,
+        options={"SKIP_SAVE"},
     )
     vertices: IntProperty(name="Vertices", description="Vertices of the patch when it was last solved for or checked")
     problem: StringProperty(
@@ -80,6 +81,17 @@ class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
             ("highest", "Highest", "The highest of the values"),
             ("average", "Average", "The average of the values"),
         ),
+    )
+    disc_radius: FloatProperty(
+        name="Radius",
+        description="Radius along the surface of the next disc that Add Patch adds, as a fraction of the diagonal of "
+        "the mesh's bounding box. Dragging sets it",
+        default=0.05,
+        min=0.0,
+        soft_min=0.001,
+        soft_max=0.5,
+        precision=3,
+        step=0.5,
     )
     method: EnumProperty(
         name="Method",

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Discs on the surface as patches, and the rays that find their middle."""
+
+import importlib
+
+import bpy
+import numpy as np
+import pytest
+from mathutils import Matrix, Vector
+from refusal import assert_refused, state
+from scene import grid, painted_grid, painted_sphere
+
+
+@pytest.fixture
+def picking(addon):
+    return importlib.import_module(f"{addon.__name__}.blender.picking")
+
+
+@pytest.fixture
+def discs(addon):
+    return importlib.import_module(f"{addon.__name__}.blender.discs")
+
+
+def disc(*how, location=(5.0, 3.0, 0.0), radius=1.5, **more):
+    return bpy.ops.dirichlet.add_patch_disc(*how, location=location, radius=radius, **more)
+
+
+def members(obj, name):
+    index = obj.vertex_groups[name].index
+    return {v.index for v in obj.data.vertices for g in v.groups if g.group == index and g.weight == 1}
+
+
+def near(obj, location, radius):
+    return {v.index for v in obj.data.vertices if (v.co - Vector(location)).length <= radius}
+
+
+def positions(obj):
+    return np.array([vertex.co for vertex in obj.data.vertices])
+
+
+@pytest.mark.parametrize("mode", ["OBJECT", "WEIGHT_PAINT", "VERTEX_PAINT"])
+def test_a_disc_on_a_plane_is_a_disc_and_has_the_next_value(mode):
+    obj = painted_grid()
+    bpy.ops.object.mode_set(mode=mode)
+    disc(radius=2.2)
+    assert obj.mode == mode
+    patch = obj.dirichlet.patches[2]
+    assert members(obj, patch.group) == near(obj, (5, 3, 0), 2.2)
+    assert (patch.value, patch.vertices, obj.dirichlet.active_patch) == (2, len(members(obj, patch.group)), 2)
+    assert obj.vertex_groups.active.name == patch.group
+
+
+def test_a_disc_follows_the_surface_and_not_the_space():
+    obj = grid(40, 3)
+    around = positions(obj)
+    angle = around[:, 0] / 40 * 2 * np.pi * 0.98  # nearly a closed tube: its two ends almost touch
+    around[:, 0], around[:, 2] = 6 * np.cos(angle), 6 * np.sin(angle)
+    obj.data.vertices.foreach_set("co", around.ravel())
+    disc(location=around[40], radius=3)
+    assert {vertex % 40 for vertex in members(obj, "Disc")} == {0, 1, 2, 3}
+
+
+def test_the_middle_and_radius_are_in_object_space():
+    obj = painted_grid()
+    obj.matrix_world = Matrix.Translation((9, 9, 9)) @ Matrix.Rotation(1, 4, "X") @ Matrix.Diagonal((3, 3, 3, 1))
+    disc()
+    assert members(obj, "Disc") == near(obj, (5, 3, 0), 1.5)
+
+
+def test_the_field_takes_the_value_on_the_disc():
+    obj = painted_sphere(4)
+    disc(location=(1, 0, 0), radius=0.3)
+    obj.dirichlet.patches[2].value = 4.0
+    bpy.ops.dirichlet.solve_field()
+    values = np.array([item.value for item in obj.data.attributes["dirichlet_field"].data])
+    assert set(np.flatnonzero(values == 4)) == members(obj, "Disc")
+    assert obj.dirichlet.patches[2].problem == ""
+
+
+def test_the_radius_is_remembered():
+    obj = painted_grid()
+    disc(radius=2.0)
+    assert obj.dirichlet.disc_radius == pytest.approx(2 / np.hypot(11, 6))
+    bpy.ops.dirichlet.add_patch_disc(location=(3, 3, 0))
+    assert members(obj, "Disc.001") == near(obj, (3, 3, 0), 2.0)
+
+
+def test_adding_a_disc_is_one_undo_step():
+    obj = painted_grid()
+    bpy.ops.ed.undo_push(message="painted")
+    before = state(obj)
+    disc("EXEC_DEFAULT", True)
+    bpy.ops.ed.undo()
+    obj = bpy.data.objects["Grid"]
+    assert state(obj)["groups"] == before["groups"]
+    assert state(obj)["settings"] == before["settings"]
+    bpy.ops.ed.redo()
+    obj = bpy.data.objects["Grid"]
+    assert members(obj, "Disc") == near(obj, (5, 3, 0), 1.5)
+
+
+def test_a_disc_too_small_for_the_mesh_is_refused():
+    obj = painted_grid()
+    assert_refused(
+        lambda *how: disc(*how, location=(5.5, 3.5, 0), radius=0.5), obj, "no vertex of 'Grid' is within 0.5"
+    )
+
+
+def test_edit_mode_is_left_first():
+    painted_grid()
+    bpy.ops.object.mode_set(mode="EDIT")
+    with pytest.raises(RuntimeError, match="mode first"):
+        disc()
+
+
+def test_a_shared_mesh_gets_the_group_once_and_only_this_object_the_patch():
+    obj = painted_grid()
+    other = bpy.data.objects.new("Other", obj.data)
+    bpy.context.collection.objects.link(other)
+    disc()
+    assert [group.name for group in obj.vertex_groups] == ["left", "right", "Disc"]
+    assert len(other.dirichlet.patches) == 0
+
+
+def test_a_linked_mesh_is_left_alone(tmp_path):
+    painted_grid()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "source.blend"))
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    with bpy.data.libraries.load(str(tmp_path / "source.blend"), link=True) as (_, taken):
+        taken.objects = ["Grid"]
+    bpy.context.collection.objects.link(taken.objects[0])
+    bpy.context.view_layer.objects.active = taken.objects[0]
+    with pytest.raises(RuntimeError, match="linked from another file"):
+        disc()
+
+
+def cast(picking, obj, origin, direction):
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    return picking.cast_ray(obj, depsgraph, Vector(origin), Vector(direction))
+
+
+def test_a_ray_in_world_space_finds_the_place_on_the_mesh(picking):
+    obj = grid()
+    obj.matrix_world = Matrix.Translation((0, 0, 7)) @ Matrix.Rotation(np.pi / 2, 4, "X") @ Matrix.Scale(2, 4)
+    hit = cast(picking, obj, (5, -99, 14), (0, 1, 0))
+    assert tuple(hit.location) == pytest.approx((2.5, 3.5, 0), abs=1e-4)
+    assert tuple(hit.shown) == pytest.approx((5, 0, 14), abs=1e-4)
+    assert hit.face == 2 + 3 * 11
+    assert cast(picking, obj, (5, -99, 14), (0, -1, 0)) is None
+    assert cast(picking, obj, (-5, -99, 14), (0, 1, 0)) is None
+
+
+def test_on_a_deformed_surface_the_place_is_that_of_the_mesh_below(picking):
+    obj = grid()
+    obj.shape_key_add(name="Basis")
+    key = obj.shape_key_add(name="Moved")
+    for point in key.data:
+        point.co = (3 * point.co.x, point.co.y, 5)
+    key.value = 1
+    hit = cast(picking, obj, (7.5, 2.5, 99), (0, 0, -1))
+    assert tuple(hit.location) == pytest.approx((2.5, 2.5, 0), abs=1e-5)
+    assert tuple(hit.shown) == pytest.approx((7.5, 2.5, 5), abs=1e-5)
+
+
+def test_where_modifiers_make_other_faces_the_place_is_as_shown(picking):
+    obj = grid()
+    obj.modifiers.new("Subdivision", "SUBSURF")
+    hit = cast(picking, obj, (2.4, 3.4, 99), (0, 0, -1))
+    assert hit.face is None
+    assert tuple(hit.location) == pytest.approx((2.4, 3.4, 0), abs=1e-5)
+
+
+def test_the_outline_is_where_the_distance_is_the_radius(discs):
+    obj = grid(30, 30)
+    shape = discs.Disc(obj, (14.3, 15.2, 0))
+    shape.resize(6.0)
+    lines = shape.outline()
+    distances = np.linalg.norm(lines.points - (14.3, 15.2, 0), axis=1)
+    assert len(lines) == 1
+    assert lines.closed[0]
+    assert np.abs(distances - 6).max() < 0.1
+    assert len(shape.vertices) == len(near(obj, (14.3, 15.2, 0), 6))
+
+
+def test_a_disc_not_added_leaves_nothing(discs):
+    obj = painted_grid()
+    before = state(obj)
+    shape = discs.Disc(obj, (5, 3, 0))
+    shape.resize(3.0)
+    shape.outline()
+    assert state(obj) == before
+
+
+def test_the_tool_is_in_the_toolbar_of_both_modes():
+    from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active as toolbar
+
+    for mode in ("OBJECT", "PAINT_WEIGHT"):
+        names = [tool.idname for tool in toolbar._tools_flatten(toolbar._tools[mode]) if tool]
+        assert names.count("dirichlet.add_patch") == 1
