@@ -32,6 +32,13 @@ def find_ramp(obj: bpy.types.Object) -> bpy.types.ShaderNodeValToRGB | None:
     return material.node_tree.nodes[_RAMP] if material else None
 
 
+def shown_on(material: bpy.types.Material, scene: bpy.types.Scene) -> list[bpy.types.Object]:
+    """The mesh objects of the scene whose field material it is."""
+    if not _is_ours(material):
+        return []
+    return [obj for obj in scene.objects if obj.type == "MESH" and find(obj) == material]
+
+
 def show(
     obj: bpy.types.Object, ends: tuple[float, float], stops: Stops, undefined: tuple[float, float, float]
 ) -> list[str]:

@@ -6,6 +6,7 @@ import bpy
 from . import (
     add_patch_operator,
     field_operators,
+    handlers,
     lists,
     panels,
     patch_list_operators,
@@ -43,6 +44,7 @@ _MODULES = (
     stripe_operators,
     stripe_panel,
 )
+_HOOKED = (presets_panel, tools, handlers)  # register more than classes
 _CLASSES = tuple(cls for module in _MODULES for cls in module.CLASSES)
 
 
@@ -59,13 +61,13 @@ def register() -> None:
         name="Dirichlet Isolines Result",
         description="What this object's isolines were made of, and how",
     )
-    presets_panel.register()
-    tools.register()
+    for module in _HOOKED:
+        module.register()
 
 
 def unregister() -> None:
-    tools.unregister()
-    presets_panel.unregister()
+    for module in reversed(_HOOKED):
+        module.unregister()
     del bpy.types.Object.dirichlet_isolines
     del bpy.types.Object.dirichlet
     for cls in reversed(_CLASSES):

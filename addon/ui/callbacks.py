@@ -17,6 +17,26 @@ def ramp_stops_changed(settings, context) -> None:
         pipeline.apply_look(settings.id_data)
 
 
+def painting_changed(settings, context) -> None:
+    from ..blender import live
+
+    live.changed(settings.id_data, live.Change.FIELD | live.Change.LINES)
+
+
+def lines_changed(settings, context) -> None:
+    from ..blender import live
+
+    live.changed(settings.id_data, live.Change.LINES)
+
+
+def live_changed(settings, context) -> None:
+    painting_changed(settings, context)
+
+
+def preview_changed(settings, context) -> None:
+    lines_changed(settings, context)
+
+
 def bevel_depth_changed(settings, context) -> None:
     from ..blender import result_drawing
 
@@ -36,12 +56,14 @@ def window_low_changed(settings, context) -> None:
     if settings.window_auto:
         settings.window_auto = False
         settings.window_high = settings.results.maximum
+    lines_changed(settings, context)
 
 
 def window_high_changed(settings, context) -> None:
     if settings.window_auto:
         settings.window_auto = False
         settings.window_low = settings.results.minimum
+    lines_changed(settings, context)
 
 
 def get_window_low_place(settings) -> float:

@@ -29,14 +29,21 @@ class LineSettings:
             ("STEP", "Step", "Multiples of a step inside the window, shifted by a phase"),
             ("LIST", "List", "The values listed"),
         ),
+        update=callbacks.lines_changed,
     )
     count: IntProperty(
-        name="Count", description="Number of levels inside the window", default=13, soft_min=1, soft_max=1000
+        name="Count",
+        description="Number of levels inside the window",
+        default=13,
+        soft_min=1,
+        soft_max=1000,
+        update=callbacks.lines_changed,
     )
     window_auto: BoolProperty(
         name="Whole Range",
         description="The window is the whole range of the field; off takes the low and high end set here",
         default=True,
+        update=callbacks.lines_changed,
     )
     window_low: FloatProperty(
         name="Low",
@@ -72,16 +79,24 @@ class LineSettings:
         set=callbacks.set_window_high_place,
     )
     step: FloatProperty(
-        name="Step", description="Difference between neighbouring levels", default=0.1, soft_min=0.0, precision=4
+        name="Step",
+        description="Difference between neighbouring levels",
+        default=0.1,
+        soft_min=0.0,
+        precision=4,
+        update=callbacks.lines_changed,
     )
     phase: FloatProperty(
         name="Phase",
         description="Shift of the levels in steps: animate it from 0 to 1 and every line moves to its neighbour",
         soft_min=0.0,
         soft_max=1.0,
+        update=callbacks.lines_changed,
     )
     levels_list: StringProperty(
-        name="Levels", description="Values of the isolines, between commas or spaces, such as 0.1, 0.25, 0.5"
+        name="Levels",
+        description="Values of the isolines, between commas or spaces, such as 0.1, 0.25, 0.5",
+        update=callbacks.lines_changed,
     )
     bevel_depth: FloatProperty(
         name="Thickness",

@@ -28,19 +28,28 @@ RAMPS = (
 class DirichletPatch(bpy.types.PropertyGroup):
     """A painted patch: a vertex group and the value prescribed on it."""
 
-    group: StringProperty(name="Vertex Group", description="Vertex group whose vertices form the patch")
+    group: StringProperty(
+        name="Vertex Group",
+        description="Vertex group whose vertices form the patch",
+        update=callbacks.painting_changed,
+    )
     value: FloatProperty(
         name="Value",
         description="Value of the field on the patch, kept exactly",
         precision=3,
+        update=callbacks.painting_changed,
     )
     enabled: BoolProperty(
-        name="Enabled", description="Take part in the next solve; off leaves the patch free", default=True
+        name="Enabled",
+        description="Take part in the next solve; off leaves the patch free",
+        default=True,
+        update=callbacks.painting_changed,
     )
     weights_as_values: BoolProperty(
         name="Weights as Values",
         description="Take each vertex's weight as its value, instead of one value for the patch. The patch is then "
         "every vertex with a weight above 0, whatever the threshold",
+        update=callbacks.painting_changed,
     )
     color: FloatVectorProperty(
         name="Color",
@@ -71,6 +80,7 @@ class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
         default=0.5,
         min=0.0,
         max=1.0,
+        update=callbacks.painting_changed,
     )
     overlap: EnumProperty(
         name="Overlap",
@@ -81,6 +91,7 @@ class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
             ("highest", "Highest", "The highest of the values"),
             ("average", "Average", "The average of the values"),
         ),
+        update=callbacks.painting_changed,
     )
     disc_radius: FloatProperty(
         name="Radius",
@@ -104,6 +115,7 @@ class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
             ("lscg", "Least Squares", "Least-squares conjugate gradients on the unsymmetric matrix, as in the paper: "
              "a slow reference"),
         ),
+        update=callbacks.painting_changed,
     )  # fmt: skip
     ramp_preset: EnumProperty(
         name="Ramp",
@@ -116,6 +128,17 @@ class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
         description="Stops that the ramp begins with in place of the chosen ramp's, as a preset brought them: JSON "
         "with color_mode, interpolation, hue_interpolation and stops of place, red, green, blue and alpha",
         update=callbacks.ramp_stops_changed,
+    )
+    live: BoolProperty(
+        name="Live",
+        description="Field, colours and lines follow the brush, the patches' values and every other setting. Off, they "
+        "wait for Solve Field and Make Isolines",
+        update=callbacks.live_changed,
+    )
+    preview: BoolProperty(
+        name="Preview",
+        description="Draw the isolines in the viewport at once, without making an object. They are not rendered",
+        update=callbacks.preview_changed,
     )
     isolines: PointerProperty(
         type=bpy.types.Object,

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fields, colours and lines that follow what they depend on.
+
+`changed` notes that something did, and returns at once; a timer does the work when the brush rests, for large meshes in
+a thread. The newest change wins: what was computed for an older one is dropped. Between two calls nothing is kept of
+Blender's data but addresses, looked up before use, so undo, loading, renaming and deleting do no harm.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from time import perf_counter
+
+import bpy
+
+from . import sessions
+from .follower import Change, Follower, Preview
+
+rest = 0.1  # seconds without a change after which a brush is taken to rest; the preferences set it
+
+_INLINE = 50_000  # vertices up to which computing takes less than handing it to a thread
+_POLL = 0.005  # seconds between looks at a brush or a thread that is busy
+
+_followers: dict[int, Follower] = {}  # by the address of the object
+_threads: ThreadPoolExecutor | None = None
+_busy = False
+_operator: tuple[int, int] = (0, 0)  # the last one that had run when something changed
+
+
+def changed(obj: bpy.types.Object, what: Change, *, brush: bool = False) -> None:
+    """Notes that `what` of the object is to be done anew, as far as it follows. With `brush` a stroke may be going on,
+    whose end is waited for."""
+    what &= _followed(obj)
+    if not what:
+        return
+    _followers.setdefault(obj.as_pointer(), Follower()).note(what, resting=not brush or _stroke_ended())
+    if not bpy.app.background and not bpy.app.timers.is_registered(_tick):
+        bpy.app.timers.register(_tick, first_interval=0, persistent=True)
+
+
+def flush(*, evaluate: bool = True) -> None:
+    """Does all that is pending, now: for scripts, frame changes and tests. `evaluate`: see `_own_changes`."""
+    for address, follower in list(_followers.items()):
+        obj = _find(address, follower)
+        if obj:
+            with _own_changes(evaluate):
+                follower.resting = True
+                while follower.pending or follower.job:
+                    follower.finish(obj)
+                    follower.begin(obj, None)
+
+
+def preview_of(obj: bpy.types.Object) -> Preview | None:
+    """The lines to draw for the object, if it has any."""
+    follower = _followers.get(obj.as_pointer())
+    return follower.preview if follower and obj.dirichlet.preview else None
+
+
+def timings(obj: bpy.types.Object) -> dict[str, float]:
+    """Seconds of the stages of the last update: those of its tasks, "wait" from the last change to its begin, "total"
+    from there to its end."""
+    follower = _followers.get(obj.as_pointer())
+    return dict(follower.seconds) if follower else {}
+
+
+def is_pending(obj: bpy.types.Object) -> bool:
+    """Whether something is still to be done for the object, or is being computed."""
+    follower = _followers.get(obj.as_pointer())
+    return bool(follower and (follower.pending or follower.job))
+
+
+def is_busy() -> bool:
+    """Whether changes are our own, which nothing has to follow."""
+    return _busy
+
+
+def forget() -> None:
+    """Of a file that is closed."""
+    _followers.clear()
+    sessions.forget_all()
+
+
+def stop() -> None:
+    """Waits for the thread, and follows nothing any more."""
+    global _threads
+    if bpy.app.timers.is_registered(_tick):
+        bpy.app.timers.unregister(_tick)
+    if _threads:
+        _threads.shutdown(cancel_futures=True)
+        _threads = None
+    forget()
+
+
+def _followed(obj: bpy.types.Object) -> Change:
+    """What of the object follows by itself."""
+    settings = obj.dirichlet
+    if obj.type != "MESH" or any(block.library or block.override_library for block in (obj, obj.data)):
+        return Change(0)
+    what = Change.COLORS
+    if settings.live:
+        what |= Change.FIELD | Change.LINES
+    if settings.preview:
+        what |= Change.LINES
+    return what
+
+
+def _tick() -> float | None:
+    """One look at everything; the seconds to the next one, or nothing when all is done."""
+    stroke_ended = _stroke_ended()
+    for address, follower in list(_followers.items()):
+        obj = _find(address, follower)
+        if obj is None and not follower.is_computing():
+            del _followers[address]
+        elif obj:
+            follower.resting |= stroke_ended or perf_counter() - follower.noted >= rest
+            if follower.has_something_to_do():
+                with _own_changes():
+                    follower.finish(obj)
+                    follower.begin(obj, _pool() if len(obj.data.vertices) > _INLINE else None)
+                    if not follower.is_computing():
+                        follower.finish(obj)
+    return _POLL if any(follower.pending or follower.job for follower in _followers.values()) else None
+
+
+def _find(address: int, follower: Follower) -> bpy.types.Object | None:
+    """The object there now, whatever its name; the last name is tried first."""
+    obj = bpy.data.objects.get(follower.name)
+    if obj is None or obj.as_pointer() != address:
+        obj = next((obj for obj in bpy.data.objects if obj.as_pointer() == address), None)
+    if obj:
+        follower.name = obj.name
+    return obj
+
+
+def _stroke_ended() -> bool:
+    """Whether an operator has finished since the last change: a brush reports its stroke when it is lifted."""
+    global _operator
+    operators = bpy.context.window_manager.operators
+    last = (len(operators), operators[-1].as_pointer()) if operators else (0, 0)
+    ended, _operator = last != _operator, last
+    return ended
+
+
+@contextmanager
+def _own_changes(evaluate: bool = True) -> Iterator[None]:
+    """What is written here, Blender evaluates here too, so that nobody takes it for a change of the user's; what the
+    user changed just before is evaluated first, and noted. A frame change evaluates all by itself."""
+    global _busy
+    _evaluate(evaluate)
+    _busy = True
+    try:
+        yield
+        _evaluate(evaluate)
+    finally:
+        _busy = False
+
+
+def _evaluate(wanted: bool) -> None:
+    if wanted:
+        for window in bpy.context.window_manager.windows:
+            window.view_layer.update()
+
+
+def _pool() -> ThreadPoolExecutor:
+    global _threads
+    _threads = _threads or ThreadPoolExecutor(max_workers=1, thread_name_prefix="Dirichlet")
+    return _threads
