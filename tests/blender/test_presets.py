@@ -63,8 +63,11 @@ def stops(obj):
 
 
 def test_every_setting_is_copied_to_the_selected_meshes_and_nothing_else():
-    target, bystander, source = painted_grid(name="target"), painted_grid(name="bystander"), solved()
-    bystander.select_set(False)
+    target, bystander = painted_grid(name="target"), painted_grid(name="bystander")
+    for obj in (target, bystander):
+        obj.select_set(False)  # Solve Field takes all that are selected
+    source = solved()
+    target.select_set(True)
     before = [(patch.group, patch.value) for patch in target.dirichlet.patches]
     for name, value in other_values(source.dirichlet):
         setattr(source.dirichlet, name, value)
