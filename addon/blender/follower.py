@@ -118,7 +118,9 @@ class Follower:
             return _Work(None, None, None)
         if Change.COLORS in what and not field:
             pipeline.update_colors(obj)
-        lines = line_task.read(obj) if what & (Change.FIELD | Change.LINES) and self._draws_lines(obj) else None
+        lines = None
+        if what & (Change.FIELD | Change.LINES) and self._draws_lines(obj):
+            lines = line_task.read(obj, session=field.session if field else None)
         return _Work(field, lines, line_task.read_values(obj) if lines and not field else None)
 
     def _draws_lines(self, obj: bpy.types.Object) -> bool:

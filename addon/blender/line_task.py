@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from .. import library
 from . import attributes, levels, meshes, ramp, result_drawing, result_objects, results
-from .sessions import open_session
+from .sessions import Session, open_session
 from .stopwatch import Stopwatch
 
 
@@ -60,12 +60,14 @@ class IsolineResult:
         return f"{len(lines)} isolines at {len(lines.levels)} levels, {int(lines.closed.sum())} closed"
 
 
-def read(obj: bpy.types.Object, settings: bpy.types.PropertyGroup | None = None) -> LineTask:
-    """settings: a LineSettings, the object's own unless another is given. Raises the library's InputError and
-    TopologyError, naming what is wrong with the object."""
+def read(
+    obj: bpy.types.Object, settings: bpy.types.PropertyGroup | None = None, *, session: Session | None = None
+) -> LineTask:
+    """settings: a LineSettings, the object's own unless another is given; session: the object's, if it is open. Raises
+    the library's InputError and TopologyError, naming what is wrong with the object."""
     clock = Stopwatch()
     meshes.require_mesh(obj)
-    mesh = open_session(obj).mesh
+    mesh = (session or open_session(obj)).mesh
     task = LineTask(mesh, levels.read_options(settings or obj.dirichlet), ramp.read_table(obj), clock)
     clock.lap("read")
     return task

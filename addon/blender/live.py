@@ -15,10 +15,8 @@ from time import perf_counter
 
 import bpy
 
-from . import sessions
+from . import preferences, sessions
 from .follower import Change, Follower, Preview
-
-rest = 0.1  # seconds without a change after which a brush is taken to rest; the preferences set it
 
 _INLINE = 50_000  # vertices up to which computing takes less than handing it to a thread
 _POLL = 0.005  # seconds between looks at a brush or a thread that is busy
@@ -114,7 +112,7 @@ def _tick() -> float | None:
         if obj is None and not follower.is_computing():
             del _followers[address]
         elif obj:
-            follower.resting |= stroke_ended or perf_counter() - follower.noted >= rest
+            follower.resting |= stroke_ended or perf_counter() - follower.noted >= preferences.get().live_delay
             if follower.has_something_to_do():
                 with _own_changes():
                     follower.finish(obj)

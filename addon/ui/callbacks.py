@@ -5,6 +5,8 @@ from contextlib import suppress
 
 from .. import library
 
+_NARROWEST = 0.001  # window that sliders make, as a fraction of the ramp
+
 
 def ramp_preset_changed(settings, context) -> None:
     settings.ramp_stops = ""
@@ -75,11 +77,26 @@ def get_window_high_place(settings) -> float:
 
 
 def set_window_low_place(settings, place: float) -> None:
-    settings.window_low = _value(settings, place)
+    """Stops before the other end, since an empty window has no levels."""
+    settings.window_low = _value(settings, min(place, get_window_high_place(settings) - _NARROWEST))
 
 
 def set_window_high_place(settings, place: float) -> None:
-    settings.window_high = _value(settings, place)
+    settings.window_high = _value(settings, max(place, get_window_low_place(settings) + _NARROWEST))
+
+
+def get_window_place(settings) -> float:
+    """Of the window among those of its width: 0 at the left end of the ramp, 1 at the right end."""
+    low, high = get_window_low_place(settings), get_window_high_place(settings)
+    free = 1.0 - (high - low)
+    return low / free if free > 0 else 0.5
+
+
+def set_window_place(settings, place: float) -> None:
+    low, high = get_window_low_place(settings), get_window_high_place(settings)
+    start = place * (1.0 - (high - low))
+    if high - low < 1.0:
+        settings.window_low, settings.window_high = _value(settings, start), _value(settings, start + (high - low))
 
 
 def _place(settings, value: float) -> float:

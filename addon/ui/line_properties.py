@@ -60,23 +60,35 @@ class LineSettings:
     )
     window_low_place: FloatProperty(
         name="Window Low",
-        description="Where the window's lower end stands on the ramp above: 0 is its left end, 1 its right end",
+        description="Where the window's lower end stands on the ramp above: 0 is its left end, 1 its right end. To "
+        "animate the window, put keyframes on Low and High",
         subtype="FACTOR",
         min=0.0,
         max=1.0,
-        options={"ANIMATABLE", "SKIP_SAVE"},
+        options={"SKIP_SAVE"},  # Low and High are what is animated
         get=callbacks.get_window_low_place,
         set=callbacks.set_window_low_place,
     )
     window_high_place: FloatProperty(
         name="Window High",
-        description="Where the window's upper end stands on the ramp above: 0 is its left end, 1 its right end",
+        description="Where the window's upper end stands on the ramp above: 0 is its left end, 1 its right end. To "
+        "animate the window, put keyframes on Low and High",
         subtype="FACTOR",
         min=0.0,
         max=1.0,
-        options={"ANIMATABLE", "SKIP_SAVE"},
+        options={"SKIP_SAVE"},  # Low and High are what is animated
         get=callbacks.get_window_high_place,
         set=callbacks.set_window_high_place,
+    )
+    window_place: FloatProperty(
+        name="Slide Window",
+        description="Moves both ends of the window along the ramp above: 0 is at its left end, 1 at its right end",
+        subtype="FACTOR",
+        min=0.0,
+        max=1.0,
+        options={"SKIP_SAVE"},
+        get=callbacks.get_window_place,
+        set=callbacks.set_window_place,
     )
     step: FloatProperty(
         name="Step",

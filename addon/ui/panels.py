@@ -80,6 +80,9 @@ class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
         row = layout.row()
         row.scale_y = 1.4
         row.operator("dirichlet.solve_field", icon="SHADING_RENDERED")
+        row.prop(settings, "live", toggle=True, icon="REC" if settings.live else "RADIOBUT_OFF")
+        if settings.results.problem:
+            write_sentence(layout, context, settings.results.problem, "ERROR")
         column = properties(layout)
         column.prop(settings, "method")
         column.prop(settings, "ramp_preset")
@@ -90,6 +93,7 @@ class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
         window = layout.column(align=True)
         window.prop(settings, "window_low_place", slider=True)
         window.prop(settings, "window_high_place", slider=True)
+        window.prop(settings, "window_place", slider=True)
         layout.operator("dirichlet.update_colors", icon="FILE_REFRESH")
         if material.hides_others(obj):
             layout.operator("dirichlet.restore_materials", icon="LOOP_BACK")

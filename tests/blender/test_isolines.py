@@ -149,6 +149,23 @@ def test_window_bounds_the_levels(sheet):
     assert list(make(sheet).data["dirichlet_level"]) == [0.5625, 0.6875]
 
 
+def test_sliders_keep_the_window_open_and_slide_it_as_a_whole():
+    obj = painted_grid()
+    obj.dirichlet.patches[1].value = 4.0
+    bpy.ops.dirichlet.solve_field()
+    settings = obj.dirichlet
+    settings.window_low_place, settings.window_high_place = 0.25, 0.5
+    settings.window_place = 1.0
+    assert (settings.window_low, settings.window_high) == pytest.approx((3.0, 4.0))
+    settings.window_place = 0.0
+    assert (settings.window_low, settings.window_high) == pytest.approx((0.0, 1.0))
+    settings.window_low_place = 0.9
+    assert settings.window_low < settings.window_high == pytest.approx(1.0)
+    settings.window_high_place = 0.0
+    assert settings.window_low < settings.window_high
+    assert bpy.ops.dirichlet.make_isolines() == {"FINISHED"}
+
+
 def test_window_follows_the_field_until_it_is_set():
     obj = painted_grid(columns=9)
     obj.dirichlet.patches[1].value = 8.0

@@ -7,7 +7,6 @@ import time
 import bpy
 import numpy as np
 import pytest
-from conftest import STAGED  # noqa: F401  (the add-on's folder, on the path)
 from scene import colors_of, field_of, library_mesh, paint, painted_grid, select
 
 
@@ -29,6 +28,10 @@ def grid_live(live):
 def settle(live):
     bpy.context.view_layer.update()
     live.flush()
+
+
+def set_delay(live, monkeypatch, seconds):
+    monkeypatch.setattr(live.preferences, "DEFAULTS", live.preferences.Preferences(live_delay=seconds))
 
 
 def weights(obj, group):
@@ -201,7 +204,7 @@ def test_preview_follows_the_window_without_a_solve(live, surface, grid_live, mo
     settings.preview = True
     settle(live)
     whole = live.preview_of(grid_live)
-    monkeypatch.setattr(live, "rest", 1e9)  # a slider that is still dragged
+    set_delay(live, monkeypatch, 1e9)  # a slider that is still dragged
     settings.window_low, settings.window_high, settings.count = 0.25, 0.5, 4
     bpy.context.view_layer.update()
     live._tick()
@@ -268,7 +271,7 @@ class TestThread:
     @pytest.fixture(autouse=True)
     def _every_mesh_is_large(self, live, monkeypatch):
         monkeypatch.setattr(live, "_INLINE", 0)
-        monkeypatch.setattr(live, "rest", 0.0)
+        set_delay(live, monkeypatch, 0.0)
 
     def test_result_is_fetched(self, live, surface, grid_live):
         grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
