@@ -16,6 +16,8 @@ from . import (
     preferences,
     preset_operators,
     presets_panel,
+    preview,
+    preview_panel,
     properties,
     result_object_properties,
     result_operators,
@@ -42,9 +44,10 @@ _MODULES = (
     panels,
     result_panels,
     stripe_operators,
+    preview_panel,
     stripe_panel,
 )
-_HOOKED = (presets_panel, tools, handlers)  # register more than classes
+_HOOKED = (presets_panel, tools, handlers, preview)  # register more than classes
 _CLASSES = tuple(cls for module in _MODULES for cls in module.CLASSES)
 
 

@@ -15,6 +15,7 @@ from bpy.props import (
 
 from . import callbacks
 from .line_properties import LineSettings
+from .preview_properties import PreviewSettings
 from .result_properties import DirichletResults
 
 RAMPS = (
@@ -67,7 +68,7 @@ class DirichletPatch(bpy.types.PropertyGroup):
     )
 
 
-class DirichletSettings(LineSettings, bpy.types.PropertyGroup):
+class DirichletSettings(LineSettings, PreviewSettings, bpy.types.PropertyGroup):
     """Object.dirichlet"""
 
     patches: CollectionProperty(type=DirichletPatch, name="Patches", description="Painted patches of this object")

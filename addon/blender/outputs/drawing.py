@@ -30,6 +30,16 @@ class Drawing(NamedTuple):
         """(P, ...) of what is given for every level (K, ...)."""
         return np.repeat(per_level[self.level], self.sizes, axis=0)
 
+    def segments(self) -> NDArray[np.uint32]:
+        """(S, 2) successive points of every line in its direction, the last and the first of closed ones too."""
+        following = np.arange(1, len(self.points) + 1, dtype=np.uint32)
+        last = self.offsets[1:] - 1
+        following[last] = self.offsets[:-1]
+        drawn = np.ones(len(following), bool)
+        drawn[last[~self.closed]] = False
+        drawn[last[self.closed & (self.sizes == 2)]] = False  # it would be the first segment again
+        return np.column_stack((np.arange(len(following), dtype=np.uint32), following))[drawn]
+
 
 def draw(lines, colors: NDArray[np.float32], radius: float) -> Drawing:
     """lines: the library's Isolines. Points that coincide in succession once they are rounded to Blender's float32 are
