@@ -38,7 +38,7 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
             return
         settings = obj.dirichlet
         row = layout.row()
-        row.template_list("DIRICHLET_UL_patches", "", settings, "patches", settings, "active_patch", rows=7)
+        row.template_list("DIRICHLET_UL_patches", "", settings, "patches", settings, "active_patch", rows=6)
         column = row.column(align=True)
         column.operator("dirichlet.patch_add_group", text="", icon="ADD").group = ""
         column.operator("dirichlet.patch_remove", text="", icon="REMOVE")
@@ -56,9 +56,19 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
         column = layout.column(align=True)
         column.menu("DIRICHLET_MT_patches_from", icon="ADD")
         column.operator("dirichlet.patch_spread_values", icon="ARROW_LEFTRIGHT")
-        column.operator("dirichlet.check_patches", icon="VIEWZOOM")
-        column = properties(layout)
-        if patch:
+
+
+class DIRICHLET_PT_patch_options(_Panel, bpy.types.Panel):
+    bl_label = "Patch Options"
+    bl_parent_id = "DIRICHLET_PT_patches"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        obj = context.active_object
+        settings = obj.dirichlet
+        column = properties(self.layout)
+        if 0 <= settings.active_patch < len(settings.patches):
+            patch = settings.patches[settings.active_patch]
             column.prop_search(patch, "group", obj, "vertex_groups", text="Group")
             if not patch.weights_as_values:
                 column.prop(patch, "value")
@@ -66,6 +76,7 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
             column.separator()
         column.prop(settings, "threshold", slider=True)
         column.prop(settings, "overlap")
+        self.layout.operator("dirichlet.check_patches", icon="VIEWZOOM")
 
 
 class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
@@ -83,9 +94,7 @@ class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
         row.prop(settings, "live", toggle=True, icon="REC" if settings.live else "RADIOBUT_OFF")
         if settings.results.problem:
             write_sentence(layout, context, settings.results.problem, "ERROR")
-        column = properties(layout)
-        column.prop(settings, "method")
-        column.prop(settings, "ramp_preset")
+        properties(layout).prop(settings, "ramp_preset")
         ramp = material.find_ramp(obj)
         if not ramp:
             return
@@ -94,6 +103,16 @@ class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
         window.prop(settings, "window_low_place", slider=True)
         window.prop(settings, "window_high_place", slider=True)
         window.prop(settings, "window_place", slider=True)
+
+
+class DIRICHLET_PT_field_options(_Panel, bpy.types.Panel):
+    bl_label = "Field Options"
+    bl_parent_id = "DIRICHLET_PT_field"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout, obj = self.layout, context.active_object
+        properties(layout).prop(obj.dirichlet, "method")
         layout.operator("dirichlet.update_colors", icon="FILE_REFRESH")
         if material.hides_others(obj):
             layout.operator("dirichlet.restore_materials", icon="LOOP_BACK")
@@ -112,6 +131,7 @@ class DIRICHLET_PT_isolines(_Panel, bpy.types.Panel):
 
 class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
     bl_label = "Results"
+    bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod
     def poll(cls, context):
@@ -145,4 +165,11 @@ class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
             write_sentence(layout, context, warning, "INFO")
 
 
-CLASSES = (DIRICHLET_PT_patches, DIRICHLET_PT_field, DIRICHLET_PT_isolines, DIRICHLET_PT_results)
+CLASSES = (
+    DIRICHLET_PT_patches,
+    DIRICHLET_PT_patch_options,
+    DIRICHLET_PT_field,
+    DIRICHLET_PT_field_options,
+    DIRICHLET_PT_isolines,
+    DIRICHLET_PT_results,
+)
