@@ -5,6 +5,7 @@ import bpy
 from bpy.props import EnumProperty, IntProperty
 
 from .. import library
+from . import callbacks
 from .common import poll_mesh, poll_patch
 
 
@@ -25,6 +26,7 @@ class DIRICHLET_OT_patch_remove(_RowOperator, bpy.types.Operator):
         from ..blender import patches
 
         patches.remove(context.active_object)
+        callbacks.painting_changed(context.active_object.dirichlet, context)
         return {"FINISHED"}
 
 
@@ -45,7 +47,10 @@ class DIRICHLET_OT_patch_move(_RowOperator, bpy.types.Operator):
         from ..blender import patches
 
         moved = patches.move(context.active_object, -1 if self.direction == "UP" else 1)
-        return {"FINISHED"} if moved else {"CANCELLED"}
+        if not moved:
+            return {"CANCELLED"}
+        callbacks.painting_changed(context.active_object.dirichlet, context)
+        return {"FINISHED"}
 
 
 class DIRICHLET_OT_patch_duplicate(_RowOperator, bpy.types.Operator):

@@ -83,6 +83,24 @@ def test_list_of_patches_is_followed(live, surface, grid_live, change):
     assert not np.array_equal(field_of(grid_live), before)
 
 
+def test_rows_taken_out_or_moved_are_followed(live, surface, grid_live):
+    paint(grid_live, "middle", [40], 0.9)
+    settle(live)
+    assert bpy.ops.dirichlet.patch_remove.poll()
+    grid_live.dirichlet.active_patch = 2
+    bpy.ops.dirichlet.patch_remove()
+    live.flush()
+    assert_current(surface, grid_live)
+    grid_live.dirichlet.overlap = "first"
+    grid_live.vertex_groups["right"].add([0], 1.0, "REPLACE")
+    settle(live)
+    assert field_of(grid_live)[0] == 0
+    grid_live.dirichlet.active_patch = 1
+    bpy.ops.dirichlet.patch_move(direction="UP")
+    live.flush()
+    assert field_of(grid_live)[0] == 1
+
+
 def test_removed_group_is_said(live, grid_live):
     grid_live.vertex_groups.active_index = 0
     bpy.ops.object.vertex_group_remove()
