@@ -7,6 +7,7 @@ from . import (
     add_patch_operator,
     field_operators,
     handlers,
+    legend,
     lists,
     panels,
     patch_list_operators,
@@ -47,7 +48,7 @@ _MODULES = (
     preview_panel,
     stripe_panel,
 )
-_HOOKED = (presets_panel, tools, handlers, preview)  # register more than classes
+_HOOKED = (presets_panel, tools, handlers, preview, legend)  # register more than classes
 _CLASSES = tuple(cls for module in _MODULES for cls in module.CLASSES)
 
 

@@ -22,6 +22,7 @@ class DIRICHLET_PT_preview(bpy.types.Panel):
         lines.active = settings.preview
         lines.prop(settings, "preview_width")
         lines.prop(settings, "preview_xray")
+        layout.prop(settings, "legend")
         if context.mode == "PAINT_WEIGHT":  # whose colours cover the field's
             layout.prop(context.space_data.overlay, "weight_paint_mode_opacity", text="Weights")
 

@@ -21,3 +21,8 @@ class PreviewSettings:
     preview_xray: BoolProperty(
         name="X-Ray", description="Show the previewed lines through surfaces, also where they are hidden"
     )
+    legend: BoolProperty(
+        name="Legend",
+        description="Show the ramp with the field's range, the window and the levels at the side of the 3D viewports, "
+        "while this object is active",
+    )
