@@ -43,10 +43,13 @@ class _Work(NamedTuple):
     lines: line_task.LineTask | None
     values: NDArray[np.float32] | None  # (V,) for the lines, unless they are of the new field
 
-    def compute(self) -> tuple[field_task.FieldOutcome | None, line_task.LineOutcome | None]:
+    def compute(self) -> tuple[field_task.FieldOutcome | None, line_task.LineOutcome | None, str]:
+        """Field, lines, and why there are no lines: levels that cannot be had do not hold the field back."""
         field = self.field.compute() if self.field else None
-        values = field.values if field else self.values
-        return field, self.lines.compute(values) if self.lines else None
+        try:
+            return field, self.lines.compute(field.values if field else self.values) if self.lines else None, ""
+        except library.refusals() as error:
+            return field, None, str(error)
 
 
 class Follower:
@@ -101,13 +104,13 @@ class Follower:
         if not self.job:
             return
         job, self.job = self.job, None
-        problem = ""
         try:
-            field, lines = job.result()
+            field, lines, problem = job.result()
             if not self.pending & (Change.FIELD if field else Change.LINES) and obj.mode != "EDIT":
                 self._write(obj, field, lines)
         except library.refusals() as error:
             problem = str(error)
+        if problem:
             self.preview = None
         if obj.dirichlet.results.problem != problem:
             obj.dirichlet.results.problem = problem

@@ -63,6 +63,21 @@ def test_painting_is_followed(live, surface, grid_live):
     assert not np.array_equal(colors_of(grid_live), before[1])
 
 
+def test_levels_that_cannot_be_had_do_not_hold_the_field_back(live, surface, grid_live):
+    grid_live.dirichlet.preview = True
+    grid_live.dirichlet.levels_mode, grid_live.dirichlet.levels_list = "LIST", "one"
+    grid_live.vertex_groups["left"].add([30, 31, 32], 1.0, "REPLACE")
+    settle(live)
+    assert_current(surface, grid_live)
+    assert "'one', is not a number" in grid_live.dirichlet.results.problem
+    assert live.preview_of(grid_live) is None
+    grid_live.dirichlet.levels_list = "0.5"
+    settle(live)
+    assert grid_live.dirichlet.results.problem == ""
+    assert live.preview_of(grid_live).lines.levels.tolist() == [0.5]
+
+
+
 @pytest.mark.parametrize(
     "change",
     [
