@@ -66,18 +66,18 @@ def inspect(obj: bpy.types.Object) -> None:
 
 
 def record_facts(obj: bpy.types.Object, mesh: Any, painted: Sequence[Any]) -> None:
-    """Puts vertices and problem into the rows; rows that are off get none.
+    """Puts vertices and problem into the rows; rows that are off, or were not there when `painted` was read, get none.
 
-    mesh: the library's Mesh; painted: the library's Patch of every enabled patch, in their order.
+    mesh: the library's Mesh; painted: the library's Patch of every enabled patch.
     Cost: that of the library's inspect_patches, some 0.1 s for a million vertices.
     """
     names = [patch.name for patch in painted]
     found = library.load().inspect_patches(mesh, [patch.vertices for patch in painted])
-    facts = iter(found)
+    facts = {name: (fact.vertices, "; ".join(_problems(fact, names))) for name, fact in zip(names, found)}
     for row in obj.dirichlet.patches:
-        fact = next(facts) if row.enabled else None
-        row.vertices = fact.vertices if fact else 0
-        row.problem = "; ".join(_problems(fact, names)) if fact else ""
+        vertices, problem = facts.get(row.group, (0, "")) if row.enabled else (0, "")
+        if (row.vertices, row.problem) != (vertices, problem):  # a write evaluates the object anew
+            row.vertices, row.problem = vertices, problem
 
 
 def _problems(fact: Any, names: Sequence[str]) -> list[str]:

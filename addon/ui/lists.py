@@ -3,7 +3,7 @@
 
 import bpy
 
-_WIDE = 300  # width of the sidebar, in units of the interface, from which there is room for counts and number fields
+_WIDE = 360  # width of the sidebar, in units of the interface, from which there is room for counts and number fields
 
 
 class DIRICHLET_UL_patches(bpy.types.UIList):
@@ -31,6 +31,21 @@ class DIRICHLET_UL_patches(bpy.types.UIList):
             _cell(cells, 3.6).prop(item, "value", text="", emboss=False)
         else:  # a number field cuts off digits here; there is one below the list
             _label(cells, 2.2, f"{item.value:.4g}")
+
+
+def draw_patch_list(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
+    """The list, with the buttons for its rows beside it. settings: Object.dirichlet"""
+    row = layout.row()
+    row.template_list("DIRICHLET_UL_patches", "", settings, "patches", settings, "active_patch", rows=7)
+    column = row.column(align=True)
+    column.operator("dirichlet.patch_add_group", text="", icon="ADD").group = ""
+    column.operator("dirichlet.patch_remove", text="", icon="REMOVE")
+    column.operator("dirichlet.patch_duplicate", text="", icon="DUPLICATE")
+    column.separator()
+    column.operator("dirichlet.patch_move", text="", icon="TRIA_UP").direction = "UP"
+    column.operator("dirichlet.patch_move", text="", icon="TRIA_DOWN").direction = "DOWN"
+    column.separator()
+    column.operator("dirichlet.patch_paint", text="", icon="BRUSH_DATA")
 
 
 def _label(row: bpy.types.UILayout, width: float, text: str) -> None:

@@ -7,7 +7,9 @@ from .. import library
 from ..blender import material, result_objects
 from .common import write_sentence
 from .line_layout import draw_line_settings, properties
+from .lists import draw_patch_list
 from .presets_panel import DIRICHLET_PT_presets
+from .tools import ADD_PATCH
 
 
 class _Panel:
@@ -37,25 +39,23 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
             layout.label(text="Select a mesh object", icon="INFO")
             return
         settings = obj.dirichlet
-        row = layout.row()
-        row.template_list("DIRICHLET_UL_patches", "", settings, "patches", settings, "active_patch", rows=6)
-        column = row.column(align=True)
-        column.operator("dirichlet.patch_add_group", text="", icon="ADD").group = ""
-        column.operator("dirichlet.patch_remove", text="", icon="REMOVE")
-        column.operator("dirichlet.patch_duplicate", text="", icon="DUPLICATE")
-        column.separator()
-        column.operator("dirichlet.patch_move", text="", icon="TRIA_UP").direction = "UP"
-        column.operator("dirichlet.patch_move", text="", icon="TRIA_DOWN").direction = "DOWN"
-        column.separator()
-        column.operator("dirichlet.patch_paint", text="", icon="BRUSH_DATA")
-        patch = settings.patches[settings.active_patch] if 0 <= settings.active_patch < len(settings.patches) else None
-        if patch and patch.problem:
-            write_sentence(layout, context, patch.problem, "ERROR")
-        elif patch and patch.vertices:
-            layout.label(text=f"{patch.vertices:,} vertices", icon="CHECKMARK")
+        draw_patch_list(layout, settings)
+        if 0 <= settings.active_patch < len(settings.patches):
+            _draw_patch(layout, context, settings.patches[settings.active_patch])
         column = layout.column(align=True)
+        column.operator("wm.tool_set_by_id", text="Add Patch Tool", icon="MESH_CIRCLE").name = ADD_PATCH
         column.menu("DIRICHLET_MT_patches_from", icon="ADD")
         column.operator("dirichlet.patch_spread_values", icon="ARROW_LEFTRIGHT")
+
+
+def _draw_patch(layout: bpy.types.UILayout, context: bpy.types.Context, patch: bpy.types.PropertyGroup) -> None:
+    """What there is to say and set of the selected one."""
+    if patch.problem:
+        write_sentence(layout, context, patch.problem, "ERROR")
+    elif patch.vertices:
+        layout.label(text=f"{patch.vertices:,} vertices", icon="CHECKMARK")
+    if not patch.weights_as_values:
+        properties(layout).prop(patch, "value")
 
 
 class DIRICHLET_PT_patch_options(_Panel, bpy.types.Panel):
@@ -70,8 +70,6 @@ class DIRICHLET_PT_patch_options(_Panel, bpy.types.Panel):
         if 0 <= settings.active_patch < len(settings.patches):
             patch = settings.patches[settings.active_patch]
             column.prop_search(patch, "group", obj, "vertex_groups", text="Group")
-            if not patch.weights_as_values:
-                column.prop(patch, "value")
             column.prop(patch, "weights_as_values", text="From Weights")
             column.separator()
         column.prop(settings, "threshold", slider=True)

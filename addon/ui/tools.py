@@ -3,10 +3,12 @@
 
 import bpy
 
+ADD_PATCH = "dirichlet.add_patch"
+
 
 class _AddPatch:
     bl_space_type = "VIEW_3D"
-    bl_idname = "dirichlet.add_patch"
+    bl_idname = ADD_PATCH
     bl_label = "Add Patch"
     bl_description = (
         "Add disc patches to the active mesh: press on its surface, drag for the radius, release. Works in Object and "

@@ -6,3 +6,7 @@ from window import run_inside
 
 def test_what_an_artist_paints_is_solved_and_drawn(archive):
     run_inside("painting", archive=archive, limit=600)
+
+
+def test_discs_are_dragged_onto_the_surface_and_levels_picked_from_it(archive):
+    run_inside("adding_discs", archive=archive, limit=300)

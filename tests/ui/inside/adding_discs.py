@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Add Patch tool in an artist's hand: press, drag, release, change of mind, undo; and a picked level."""
+
+import bpy
+import hand
+import screen
+from hand import Pixel
+from steps import Waiting, finished, picture, run, until
+from truth import is_fresh
+
+BALL = "Icosphere"
+LEFT, RIGHT = (-0.5, -(0.75**0.5), 0.0), (0.5, -(0.75**0.5), 0.0)  # on the front of the ball
+FINE = 0.03  # some edges of the mesh
+
+
+def patches() -> list[tuple[str, float]]:
+    return [(patch.group, patch.value) for patch in bpy.data.objects[BALL].dirichlet.patches]
+
+
+def members(group: str) -> set[int]:
+    obj = bpy.data.objects[BALL]
+    index = obj.vertex_groups[group].index
+    return {v.index for v in obj.data.vertices if any(g.group == index and g.weight == 1 for g in v.groups)}
+
+
+def pixel(point: tuple[float, float, float], right: int = 0) -> Pixel:
+    x, y = screen.pixel_of(bpy.data.objects[BALL], point)
+    return x + right, y
+
+
+def take_the_tool() -> None:
+    with screen.at():
+        bpy.ops.wm.tool_set_by_id(name="dirichlet.add_patch")
+
+
+def press_and_drag(point: tuple[float, float, float], right: int) -> Waiting:
+    yield from finished("xdotool", "mousemove", *pixel(point), "sleep", 0.2, "mousedown", 1, "sleep", 0.2)
+    for k in range(1, 6):
+        yield from finished("xdotool", "mousemove", *pixel(point, right * k // 5), "sleep", 0.1)
+    yield 0.4
+
+
+def start() -> Waiting:
+    bpy.ops.object.delete()
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=6)
+    yield 0.5
+    with screen.at():
+        bpy.ops.view3d.view_axis(type="FRONT")
+        bpy.ops.view3d.view_selected()
+    take_the_tool()
+    bpy.ops.ed.undo_push(message="start")
+    yield 1
+
+
+def drag_a_disc() -> Waiting:
+    yield from press_and_drag(LEFT, 60)
+    assert not patches()  # nothing before the button is let go
+    yield from picture("while-dragging")
+    yield from finished("xdotool", "mouseup", 1)
+    yield from until(lambda: patches() == [("Disc", 0)])
+    obj = bpy.data.objects[BALL]
+    inside = members("Disc")
+    straight = [sum((a - b) ** 2 for a, b in zip(vertex.co, LEFT)) ** 0.5 for vertex in obj.data.vertices]
+    dragged = obj.dirichlet.disc_radius * 12**0.5  # the ball's box has sides of 2
+    assert 0.1 < dragged < 0.8
+    assert max(straight[k] for k in inside) <= dragged
+    assert {k for k, distance in enumerate(straight) if distance < 0.9 * dragged} <= inside
+
+
+def change_of_mind() -> Waiting:
+    before = patches(), bpy.data.objects[BALL].dirichlet.disc_radius
+    yield from press_and_drag(RIGHT, 100)
+    yield from finished("xdotool", "click", 3)  # not Esc, after which Blender ends with exit code 1
+    yield from finished("xdotool", "mouseup", 1)
+    yield 0.3
+    assert (patches(), bpy.data.objects[BALL].dirichlet.disc_radius) == before
+
+
+def beside_the_ball() -> Waiting:
+    yield from hand.click((pixel((-1, 0, 0))[0] - 40, pixel(LEFT)[1]))
+    assert patches() == [("Disc", 0)]
+
+
+def a_click_takes_the_last_radius_while_painting() -> Waiting:
+    bpy.ops.object.mode_set(mode="WEIGHT_PAINT")
+    take_the_tool()
+    yield 0.5
+    yield from hand.click(pixel(RIGHT))
+    assert patches() == [("Disc", 0), ("Disc.001", 1)]
+    assert abs(len(members("Disc")) / len(members("Disc.001")) - 1) < FINE * 3
+    assert bpy.context.mode == "PAINT_WEIGHT"
+
+
+def undo_and_redo() -> Waiting:
+    yield from hand.press("ctrl+z")
+    assert patches() == [("Disc", 0)]
+    yield from hand.press("ctrl+shift+z")
+    assert patches() == [("Disc", 0), ("Disc.001", 1)]
+
+
+def pick_a_level() -> Waiting:
+    bpy.ops.dirichlet.solve_field()
+    assert is_fresh(bpy.data.objects[BALL])
+    with screen.at():
+        bpy.ops.dirichlet.pick_level("INVOKE_DEFAULT")
+    yield from hand.click(pixel((0.0, -1.0, 0.0)))
+    settings = bpy.data.objects[BALL].dirichlet
+    assert settings.levels_mode == "LIST"
+    assert abs(float(settings.levels_list) - 0.5) < FINE  # midway between two discs alike
+
+
+run(
+    start,
+    drag_a_disc,
+    change_of_mind,
+    beside_the_ball,
+    a_click_takes_the_last_radius_while_painting,
+    undo_and_redo,
+    pick_a_level,
+)
