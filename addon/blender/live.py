@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fields, colours and lines that follow what they depend on.
 
-`changed` notes that something did, and returns at once; a timer does the work when the brush rests, for large meshes in
-a thread. The newest change wins: what was computed for an older one is dropped. Between two calls nothing is kept of
-Blender's data but addresses, looked up before use, so undo, loading, renaming and deleting do no harm.
+`changed` notes that something did, and returns at once. The work is done when the brush rests: at once while Blender
+evaluates the change, so that one redraw shows both, for large meshes in a thread whose result a timer fetches. The
+newest change wins: what was computed for an older one is dropped. Between two calls nothing is kept of Blender's data
+but addresses, looked up before use, so undo, loading, renaming and deleting do no harm.
 """
 
 from __future__ import annotations
@@ -33,9 +34,19 @@ def changed(obj: bpy.types.Object, what: Change, *, brush: bool = False) -> None
     what &= _followed(obj)
     if not what:
         return
-    _followers.setdefault(obj.as_pointer(), Follower()).note(what, resting=not brush or _stroke_ended())
+    _followers.setdefault(obj.as_pointer(), Follower()).note(what, resting=not (brush and _brush_may_move()))
     if not bpy.app.background and not bpy.app.timers.is_registered(_tick):
         bpy.app.timers.register(_tick, first_interval=0, persistent=True)
+
+
+def catch_up() -> None:
+    """Does what is due and quickly done, in a handler after which Blender evaluates by itself."""
+    for address, follower in list(_followers.items()):
+        if follower.has_something_to_do():
+            obj = _find(address, follower)
+            if obj and not _needs_thread(obj):
+                with _own_changes(evaluate=False):
+                    _advance(follower, obj, None)
 
 
 def flush(*, evaluate: bool = True) -> None:
@@ -115,11 +126,21 @@ def _tick() -> float | None:
             follower.resting |= stroke_ended or perf_counter() - follower.noted >= preferences.get().live_delay
             if follower.has_something_to_do():
                 with _own_changes():
-                    follower.finish(obj)
-                    follower.begin(obj, _pool() if len(obj.data.vertices) > _INLINE else None)
-                    if not follower.is_computing():
-                        follower.finish(obj)
+                    _advance(follower, obj, _pool() if _needs_thread(obj) else None)
     return _POLL if any(follower.pending or follower.job for follower in _followers.values()) else None
+
+
+def _advance(follower: Follower, obj: bpy.types.Object, pool: ThreadPoolExecutor | None) -> None:
+    """Writes what is computed, begins on what is due, and writes that where it is computed here."""
+    follower.finish(obj)
+    follower.begin(obj, pool)
+    if not follower.is_computing():
+        follower.finish(obj)
+
+
+def _needs_thread(obj: bpy.types.Object) -> bool:
+    """Without a window nobody waits for a redraw, and no timer runs."""
+    return not bpy.app.background and len(obj.data.vertices) > _INLINE
 
 
 def _find(address: int, follower: Follower) -> bpy.types.Object | None:
@@ -130,6 +151,10 @@ def _find(address: int, follower: Follower) -> bpy.types.Object | None:
     if obj:
         follower.name = obj.name
     return obj
+
+
+def _brush_may_move() -> bool:
+    return not bpy.app.background and not _stroke_ended()
 
 
 def _stroke_ended() -> bool:

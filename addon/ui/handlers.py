@@ -21,6 +21,9 @@ def _depsgraph_updated(scene, depsgraph) -> None:
     for update in depsgraph.updates:
         if isinstance(update.id, bpy.types.Material):
             _note(material.shown_on(update.id.original, scene), colors=True)
+    live = _used()
+    if live and not live.is_busy():
+        live.catch_up()
 
 
 @persistent

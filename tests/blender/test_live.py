@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Live: field, colours and lines follow what they depend on. Without a window no timer runs, so tests flush."""
+"""Live: field, colours and lines follow what they depend on. Without a window no timer runs, so tests call it."""
 
 import importlib
 import time
@@ -77,7 +77,6 @@ def test_levels_that_cannot_be_had_do_not_hold_the_field_back(live, surface, gri
     assert live.preview_of(grid_live).lines.levels.tolist() == [0.5]
 
 
-
 @pytest.mark.parametrize(
     "change",
     [
@@ -130,6 +129,27 @@ def test_nothing_follows_while_live_is_off(live, grid_live):
     grid_live.dirichlet.patches[0].value = 5
     settle(live)
     assert np.array_equal(field_of(grid_live), before)
+
+
+def test_evaluating_a_change_is_enough(live, surface, grid_live):
+    grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
+    bpy.context.view_layer.update()
+    assert_current(surface, grid_live)
+    evaluated = grid_live.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    assert np.array_equal(field_of(evaluated), field_of(grid_live))
+
+
+def test_nothing_is_read_under_a_moving_brush(live, surface, grid_live, monkeypatch):
+    monkeypatch.setattr(live, "_brush_may_move", lambda: True)
+    set_delay(live, monkeypatch, 1e9)
+    before = field_of(grid_live)
+    grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
+    bpy.context.view_layer.update()
+    assert live._tick() is not None
+    assert np.array_equal(field_of(grid_live), before)
+    set_delay(live, monkeypatch, 0.0)  # the brush has rested long enough
+    assert live._tick() is None
+    assert_current(surface, grid_live)
 
 
 def test_own_writes_are_not_followed(live, grid_live):
@@ -237,10 +257,9 @@ def test_preview_follows_the_window_without_a_solve(live, surface, grid_live, mo
     settings.preview = True
     settle(live)
     whole = live.preview_of(grid_live)
-    set_delay(live, monkeypatch, 1e9)  # a slider that is still dragged
+    monkeypatch.setattr(live, "_brush_may_move", lambda: True)
     settings.window_low, settings.window_high, settings.count = 0.25, 0.5, 4
     bpy.context.view_layer.update()
-    live._tick()
     part = live.preview_of(grid_live)
     expected = surface.isolines(
         library_mesh(surface, grid_live), field_of(grid_live), surface.even_levels(0.25, 0.5, 4)
@@ -303,7 +322,7 @@ class TestThread:
 
     @pytest.fixture(autouse=True)
     def _every_mesh_is_large(self, live, monkeypatch):
-        monkeypatch.setattr(live, "_INLINE", 0)
+        monkeypatch.setattr(live, "_needs_thread", lambda obj: True)
         set_delay(live, monkeypatch, 0.0)
 
     def test_result_is_fetched(self, live, surface, grid_live):
