@@ -36,6 +36,9 @@ class Arrays(NamedTuple):
             and np.array_equal(self.corners, other.corners)
         )
 
+    def same(self, other: Arrays) -> bool:
+        return self.same_faces(other) and np.array_equal(self.positions, other.positions)
+
 
 def read_arrays(mesh: bpy.types.Mesh) -> Arrays:
     return Arrays(_read_positions(mesh), *read_polygons(mesh))

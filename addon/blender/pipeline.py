@@ -6,24 +6,16 @@ Plain functions for operators, scripts and tests. They raise the library's Diric
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import bpy
 
 from . import attributes, field_task, line_task, looks, material, meshes, patches, ramp, result_objects
 from .field_task import FieldResult
 from .line_task import IsolineResult
 
-Progress = Callable[[float], None]  # called with the part done, from 0 to 1
 
-
-def solve_field(obj: bpy.types.Object, *, progress: Progress = lambda done: None) -> FieldResult:
+def solve_field(obj: bpy.types.Object) -> FieldResult:
     """Solves between the patches of `obj.dirichlet` and writes attributes, material and `obj.dirichlet.results`."""
-    task = field_task.read(obj)
-    progress(0.3)
-    outcome = task.compute()
-    progress(0.8)
-    return write_field(obj, outcome)
+    return write_field(obj, field_task.read(obj).compute())
 
 
 def write_field(obj: bpy.types.Object, outcome: field_task.FieldOutcome) -> FieldResult:
@@ -32,14 +24,10 @@ def write_field(obj: bpy.types.Object, outcome: field_task.FieldOutcome) -> Fiel
     return field_task.write(obj, outcome)
 
 
-def make_isolines(obj: bpy.types.Object, *, progress: Progress = lambda done: None) -> IsolineResult:
+def make_isolines(obj: bpy.types.Object) -> IsolineResult:
     """Extracts isolines of the field that the mesh carries, and writes them into the object's result; a locked one
     stays, and another is made."""
-    task = line_task.read(obj)
-    values = line_task.read_values(obj)
-    progress(0.2)
-    outcome = task.compute(values)
-    progress(0.4)
+    outcome = line_task.read(obj).compute(line_task.read_values(obj))
     return line_task.write(obj, outcome, result_objects.find_unlocked(obj))
 
 

@@ -66,6 +66,12 @@ def open_session(obj: bpy.types.Object) -> Session:
     return session
 
 
+def abandon(session: Session) -> None:
+    """Nobody waits any more for what its solver is busy with: the next to open one gets another."""
+    for key in [key for key, one in _sessions.items() if one is session]:
+        del _sessions[key]
+
+
 def forget_removed() -> None:
     """Lets go of meshes that are no longer in the file."""
     if _sessions:

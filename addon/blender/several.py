@@ -1,18 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fields and isolines of several objects: all are computed before anything is written, so that a refusal, which names
-its object, leaves every one of them as it was."""
+its object, leaves every one of them as it was. Each is a work, see work.py."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from typing import NamedTuple
 
 import bpy
 
 from .. import library
-from . import field_task, line_task, pipeline, result_objects
-from .pipeline import Progress
+from . import field_task, line_task, meshes, pipeline, result_objects, sessions
+from .work import Held, Step, Work
 
 
 class Made(NamedTuple):
@@ -23,15 +24,21 @@ class Made(NamedTuple):
     warnings: tuple[str, ...]
 
 
-def solve_fields(objects: Sequence[bpy.types.Object], *, progress: Progress = lambda done: None) -> Made:
-    """Solves for the field of every object. A mesh that several of them share is solved once, with the patches of the
-    first of them. Raises what `pipeline.solve_field` raises."""
+def solve_fields(objects: Sequence[bpy.types.Object]) -> Work:
+    """Solves for the field of every object; returns Made. A mesh that several of them share is solved once, with the
+    patches of the first of them. Raises what `pipeline.solve_field` raises."""
     owners, warnings = _one_per_mesh(objects)
-    outcomes = []
-    for obj in owners:
-        with _naming(obj, owners):
-            outcomes.append(field_task.read(obj).compute())
-        progress(len(outcomes) / (len(owners) + 1))
+    held, outcomes = [Held(obj) for obj in owners], []
+    for number, one in enumerate(held):
+        with _naming(one.name, held):
+            task = field_task.read(one.find())
+            one.keep(task.session.arrays)
+            try:
+                outcomes.append((yield Step(one.name, (number + 0.3) / len(held), task.compute)))
+            except GeneratorExit:
+                sessions.abandon(task.session)
+                raise
+    owners = [one.find() for one in held]
     made = [pipeline.write_field(obj, outcome) for obj, outcome in zip(owners, outcomes)]
     reports = [result.field.report for result in made]
     seconds = sum(report.total_seconds for report in reports)
@@ -42,13 +49,17 @@ def solve_fields(objects: Sequence[bpy.types.Object], *, progress: Progress = la
     return Made(made, summary if len(made) > 1 else reports[0].summary(), (*warnings, *_warnings(owners, made)))
 
 
-def make_isolines(objects: Sequence[bpy.types.Object], *, progress: Progress = lambda done: None) -> Made:
-    """Draws the isolines of every object, each by its own settings. Raises what `pipeline.make_isolines` raises."""
-    outcomes = []
-    for obj in objects:
-        with _naming(obj, objects):
-            outcomes.append(line_task.read(obj).compute(line_task.read_values(obj)))
-        progress(len(outcomes) / (len(objects) + 1))
+def make_isolines(objects: Sequence[bpy.types.Object]) -> Work:
+    """Draws the isolines of every object, each by its own settings; returns Made. Raises what
+    `pipeline.make_isolines` raises."""
+    held, outcomes = [Held(obj) for obj in objects], []
+    for number, one in enumerate(held):
+        with _naming(one.name, held):
+            obj = one.find()
+            task, values = line_task.read(obj), line_task.read_values(obj)
+            one.keep(meshes.read_arrays(obj.data))
+            outcomes.append((yield Step(one.name, (number + 0.3) / len(held), partial(task.compute, values))))
+    objects = [one.find() for one in held]
     made = [line_task.write(obj, outcome, result_objects.find_unlocked(obj)) for obj, outcome in zip(objects, outcomes)]
     count = sum(len(result.lines) for result in made)
     closed = sum(int(result.lines.closed.sum()) for result in made)
@@ -70,14 +81,14 @@ def _one_per_mesh(objects: Iterable[bpy.types.Object]) -> tuple[list[bpy.types.O
 
 
 @contextmanager
-def _naming(obj: bpy.types.Object, objects: Sequence[bpy.types.Object]) -> Iterator[None]:
+def _naming(name: str, held: Sequence[Held]) -> Iterator[None]:
     """Says whose refusal it is, where there are several that it could be and it does not say so itself."""
     try:
         yield
     except library.load().DirichletError as error:
-        if len(objects) == 1 or f"object '{obj.name}'" in str(error):
+        if len(held) == 1 or f"object '{name}'" in str(error):
             raise
-        raise type(error)(f"object '{obj.name}': {error}") from error
+        raise type(error)(f"object '{name}': {error}") from error
 
 
 def _warnings(objects: Sequence[bpy.types.Object], made: Iterable) -> Iterator[str]:

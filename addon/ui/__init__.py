@@ -5,6 +5,7 @@ import bpy
 
 from . import (
     add_patch_operator,
+    computing,
     field_operators,
     handlers,
     legend,
@@ -36,6 +37,7 @@ _MODULES = (
     patch_list_operators,
     patch_source_operators,
     add_patch_operator,
+    computing,
     field_operators,
     pick_operators,
     result_operators,

@@ -2,8 +2,6 @@
 """What several operators and panels need."""
 
 import textwrap
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 
 import bpy
 
@@ -11,7 +9,6 @@ from ..blender.names import FIELD
 from ..blender.result_objects import is_result
 
 _MODES = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX")
-_SLOW = 50_000  # vertices from which an operator may take half a second
 
 
 def poll_mesh(cls: type[bpy.types.Operator], context: bpy.types.Context, modes: tuple[str, ...] = _MODES) -> bool:
@@ -55,20 +52,6 @@ def poll_field(cls: type[bpy.types.Operator], context: bpy.types.Context) -> boo
         return True
     cls.poll_message_set("Solve Field first")
     return False
-
-
-@contextmanager
-def progress(context: bpy.types.Context) -> Iterator[Callable[[float], None]]:
-    """Shows the part done at the mouse pointer, for meshes large enough to make people wait."""
-    if len(context.active_object.data.vertices) < _SLOW:
-        yield lambda done: None
-        return
-    manager = context.window_manager
-    manager.progress_begin(0, 1)
-    try:
-        yield manager.progress_update
-    finally:
-        manager.progress_end()
 
 
 def report_made(operator: bpy.types.Operator, made) -> set[str]:

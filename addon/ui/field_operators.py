@@ -4,13 +4,14 @@
 import bpy
 
 from .. import library
-from ..blender import material
+from ..blender import expected_memory, material, preferences
 from ..blender.names import FIELD
 from . import viewport
-from .common import chosen_meshes, poll_field, poll_mesh, progress, report_made
+from .common import chosen_meshes, poll_field, poll_mesh
+from .computing import Computing
 
 
-class DIRICHLET_OT_solve_field(bpy.types.Operator):
+class DIRICHLET_OT_solve_field(Computing, bpy.types.Operator):
     bl_idname = "dirichlet.solve_field"
     bl_label = "Solve Field"
     bl_description = (
@@ -29,21 +30,25 @@ class DIRICHLET_OT_solve_field(bpy.types.Operator):
             return False
         return True
 
-    def execute(self, context):
+    def choose(self, context):
+        return [obj for obj in chosen_meshes(context) if _is_painted(obj)]
+
+    def begin(self, objects):
         from ..blender import several
 
-        objects = [obj for obj in chosen_meshes(context) if _is_painted(obj)]
-        try:
-            with progress(context) as show:
-                made = several.solve_fields(objects, progress=show)
-        except library.refusals() as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        return several.solve_fields(objects)
+
+    def expected_bytes(self, objects):
+        budget = preferences.memory_budget()
+        sizes = ((len(obj.data.vertices), obj.dirichlet.method) for obj in objects)
+        return sum(expected_memory.of_field(vertices, method, budget) for vertices, method in sizes)
+
+    def finish(self, context, made):
         viewport.show_vertex_colors(context)
-        return report_made(self, made)
+        return super().finish(context, made)
 
 
-class DIRICHLET_OT_make_isolines(bpy.types.Operator):
+class DIRICHLET_OT_make_isolines(Computing, bpy.types.Operator):
     bl_idname = "dirichlet.make_isolines"
     bl_label = "Make Isolines"
     bl_description = (
@@ -56,17 +61,16 @@ class DIRICHLET_OT_make_isolines(bpy.types.Operator):
     def poll(cls, context):
         return poll_mesh(cls, context) and poll_field(cls, context)
 
-    def execute(self, context):
+    def choose(self, context):
+        return [obj for obj in chosen_meshes(context) if FIELD in obj.data.attributes]
+
+    def begin(self, objects):
         from ..blender import several
 
-        objects = [obj for obj in chosen_meshes(context) if FIELD in obj.data.attributes]
-        try:
-            with progress(context) as show:
-                made = several.make_isolines(objects, progress=show)
-        except library.refusals() as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return report_made(self, made)
+        return several.make_isolines(objects)
+
+    def expected_bytes(self, objects):
+        return sum(expected_memory.of_lines(len(obj.data.vertices)) for obj in objects)
 
 
 class DIRICHLET_OT_update_colors(bpy.types.Operator):

@@ -24,6 +24,7 @@ class DIRICHLET_PT_presets(PresetPanel, bpy.types.Panel):
         for name, preset in PRESETS.items():
             column.operator("dirichlet.apply_preset", text=preset.label).preset = name
         layout.separator()
+        bpy.utils.user_resource("SCRIPTS", path=f"presets/{SUBDIRECTORY}", create=True)  # else the list complains
         super().draw(context)
         layout.separator()
         layout.operator("dirichlet.copy_settings", icon="COPYDOWN")

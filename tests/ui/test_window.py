@@ -10,3 +10,7 @@ def test_what_an_artist_paints_is_solved_and_drawn(archive):
 
 def test_discs_are_dragged_onto_the_surface_and_levels_picked_from_it(archive):
     run_inside("adding_discs", archive=archive, limit=300)
+
+
+def test_large_meshes_are_computed_beside_the_interface(archive):
+    run_inside("waiting", archive=archive, limit=300)

@@ -81,7 +81,8 @@ def _wait(process: subprocess.Popen, limit: float) -> str:
         return f"Blender hung: {limit:g} s were over"
     finally:
         process.kill()
-    return f"Blender ended with {process.returncode}" if process.returncode else ""
+    usual = (0, 1)  # 1 once Esc has been pressed, whatever for; a step that fails says so in the log
+    return f"Blender ended with {process.returncode}" if process.returncode not in usual else ""
 
 
 def _explain(text: str, what: str, folder: Path) -> str:

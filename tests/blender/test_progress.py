@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fields and lines computed beside the interface, and what may happen to their object meanwhile."""
+
+import importlib
+import time
+from threading import current_thread, main_thread
+
+import bpy
+import pytest
+from refusal import state
+from scene import field_of, painted_sphere
+
+
+@pytest.fixture
+def module(addon, surface):
+    return lambda name: importlib.import_module(f"{addon.__name__}.blender.{name}")
+
+
+@pytest.fixture
+def solving(module):
+    """Starts to solve for the objects' fields beside the interface."""
+    return lambda *objects: module("work").Background(module("several").solve_fields(objects))
+
+
+@pytest.fixture
+def tracing(module):
+    return lambda *objects: module("work").Background(module("several").make_isolines(objects))
+
+
+def finish(background):
+    """What it makes in the end."""
+    end = time.monotonic() + 60
+    while (made := background.poll()) is None:
+        assert time.monotonic() < end, "nothing comes of it"
+        time.sleep(0.001)
+    return made
+
+
+def test_beside_the_interface_comes_the_same_field_as_at_once(solving):
+    beside, at_once = painted_sphere(name="beside"), painted_sphere(name="at once")
+    made = finish(solving(beside))
+    at_once.select_set(True)
+    beside.select_set(False)
+    bpy.ops.dirichlet.solve_field()
+    assert field_of(beside).tolist() == field_of(at_once).tolist()
+    assert beside.dirichlet.results.solved
+    assert "vertices solved" in made.summary
+
+
+def test_steps_are_computed_in_another_thread_and_written_in_the_main_one(module):
+    threads = []
+
+    def work():
+        threads.append(current_thread())
+        threads.append((yield module("work").Step("somebody", 0.0, current_thread)))
+        threads.append(current_thread())
+        return True
+
+    assert finish(module("work").Background(work()))
+    assert (threads[0], threads[2]) == (main_thread(), main_thread())
+    assert threads[1] != main_thread()
+
+
+def test_what_is_dropped_has_written_nothing(solving):
+    obj = painted_sphere()
+    before = state(obj)
+    background = solving(obj)
+    background.stop()
+    assert state(obj) == before
+
+
+def test_a_solver_that_was_dropped_keeps_nobody_waiting(solving, module):
+    obj = painted_sphere()
+    first = module("sessions").open_session(obj)
+    background = solving(obj)
+    assert module("sessions").open_session(obj) is first
+    background.stop()
+    assert module("sessions").open_session(obj) is not first
+
+
+def test_an_object_that_was_renamed_gets_its_field(solving):
+    obj = painted_sphere()
+    background = solving(obj)
+    obj.name = "another name"
+    finish(background)
+    assert obj.dirichlet.results.solved
+
+
+def remove(obj):
+    bpy.data.objects.remove(obj)
+
+
+def edit(obj):
+    obj.data.vertices[3].co.x += 1
+
+
+def enter_edit_mode(obj):
+    bpy.ops.object.mode_set(mode="EDIT")
+
+
+def new_faces(obj):
+    obj.data.clear_geometry()
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        (remove, "'Sphere' was removed"),
+        (edit, "mesh of object 'Sphere' changed"),
+        (new_faces, "mesh of object 'Sphere' changed"),
+        (enter_edit_mode, "'Sphere' is in Edit Mode"),
+    ],
+)
+def test_an_object_that_is_not_what_it_was_is_named_and_left_alone(change, sentence, solving, tracing, surface):
+    for start in (solving, tracing):
+        bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+        obj = painted_sphere()
+        bpy.ops.dirichlet.solve_field()
+        obj.dirichlet.results.solved = False
+        background = start(obj)
+        change(obj)
+        with pytest.raises(surface.InputError, match=sentence):
+            finish(background)
+        assert not bpy.data.curves
+        assert not any(one.dirichlet.results.solved for one in bpy.data.objects)
+
+
+def test_undo_while_computing_does_no_harm(solving):
+    obj = painted_sphere()
+    bpy.ops.ed.undo_push(message="painted")
+    obj.dirichlet.count = 20
+    bpy.ops.ed.undo_push(message="count")
+    background = solving(obj)
+    bpy.ops.ed.undo()
+    finish(background)
+    obj = bpy.data.objects["Sphere"]
+    assert obj.dirichlet.count == 13
+    assert obj.dirichlet.results.solved
+
+
+def test_closing_the_file_while_computing_does_no_harm(solving, surface):
+    background = solving(painted_sphere())
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    with pytest.raises(surface.InputError, match="'Sphere' was removed"):
+        finish(background)
+
+
+def test_without_a_window_invoking_computes_at_once_and_asks_nothing(module, monkeypatch):
+    monkeypatch.setattr(module("preferences"), "DEFAULTS", module("preferences").Preferences(ask_vertices=1))
+    obj = painted_sphere()
+    assert bpy.ops.dirichlet.solve_field("INVOKE_DEFAULT") == {"FINISHED"}
+    assert bpy.ops.dirichlet.make_isolines("INVOKE_DEFAULT") == {"FINISHED"}
+    assert obj.dirichlet.results.extracted
+
+
+@pytest.mark.parametrize(("vertices", "measured"), [(125_316, 1257), (1_000_000, 1392), (4_000_000, 1559)])
+def test_expected_memory_is_what_was_measured(module, vertices, measured):
+    expected = module("expected_memory").of_field(vertices, "direct", None) / vertices
+    assert expected == pytest.approx(measured, rel=0.1)
+
+
+def test_expected_memory_keeps_to_the_budget_where_the_method_does(module):
+    of_field = module("expected_memory").of_field
+    assert of_field(10**6, "auto", 10**9) == 10**9
+    assert of_field(10**6, "direct", 10**9) > 10**9
+    assert of_field(10**7, "auto", 10**9) == of_field(10**7, "multigrid", None)
