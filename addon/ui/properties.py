@@ -134,6 +134,7 @@ class DirichletSettings(LineSettings, PreviewSettings, bpy.types.PropertyGroup):
         name="Live",
         description="Field, colours and lines follow the brush, the patches' values and every other setting. Off, they "
         "wait for Solve Field and Make Isolines",
+        options={"SKIP_SAVE"},  # copied or brought by a preset, it would compute at once
         update=callbacks.live_changed,
     )
     preview: BoolProperty(
