@@ -5,6 +5,7 @@
 #include "bindings.h"
 #include "dirichlet/isolines.h"
 #include "dirichlet/levels.h"
+#include "line_arrays.h"
 
 namespace dirichlet::bindings {
 namespace {
@@ -16,13 +17,7 @@ py::dict extract(const Mesh& mesh, const Array<double>& values, const Array<doub
     const py::gil_scoped_release release;
     lines = extract_isolines(mesh, field, cuts);
   }
-  const auto count = static_cast<py::ssize_t>(lines.t.size());
-  using namespace py::literals;
-  return py::dict("points"_a = to_numpy(std::move(lines.points), {count, 3}),
-                  "edges"_a = to_numpy(std::move(lines.edges), {count, 2}), "t"_a = to_numpy(std::move(lines.t)),
-                  "offsets"_a = to_numpy(std::move(lines.offsets)),
-                  "closed"_a = to_numpy(std::move(lines.closed)).attr("view")("bool"),
-                  "level"_a = to_numpy(std::move(lines.level)), "length"_a = to_numpy(std::move(lines.length)));
+  return to_dict(std::move(lines));
 }
 
 double through_point(const Mesh& mesh, const Array<double>& values, const std::array<double, 3>& point) {

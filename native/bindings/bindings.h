@@ -10,6 +10,7 @@ void bind_mesh(pybind11::module_& module);
 void bind_field(pybind11::module_& module);
 void bind_geodesic(pybind11::module_& module);
 void bind_isolines(pybind11::module_& module);
+void bind_line_shaping(pybind11::module_& module);
 void bind_files(pybind11::module_& module);
 void bind_patches(pybind11::module_& module);
 

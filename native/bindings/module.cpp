@@ -10,6 +10,7 @@ PYBIND11_MODULE(_native, module) {
   bind_field(module);
   bind_geodesic(module);
   bind_isolines(module);
+  bind_line_shaping(module);
   bind_files(module);
   bind_patches(module);
 }

@@ -7,14 +7,14 @@
 
 #include "dirichlet/buffer.h"
 #include "dirichlet/mesh.h"
+#include "level_numbers.h"
 
 namespace dirichlet {
 
 /// The combinatorial half of isolines, without a coordinate. Levels are ranks 0 … K - 1 in ascending order; numbers[v]
 /// is how many of them are <= the value of vertex v, so that v is above level k when numbers[v] > k; kUndefined where v
 /// has no value.
-constexpr Index kUndefined = -1;
-
+///
 /// Lines by the half-edges of the triangles that they cross: line l has half_edges[offsets[l]] … [offsets[l + 1]), in
 /// order, with higher values on the left of its first triangle, the lowest one. An open line starts and ends where
 /// there is no way on. Lines of one level are sorted by their first triangles.

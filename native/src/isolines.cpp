@@ -6,17 +6,17 @@
 #include <cmath>
 #include <numeric>
 
-#include "any_value.h"
 #include "dirichlet/error.h"
+#include "field_checks.h"
 #include "index.h"
 #include "isoline_tracing.h"
+#include "level_numbers.h"
+#include "line_geometry.h"
 #include "message.h"
 #include "parallel.h"
 
 namespace dirichlet {
 namespace {
-
-using Point = std::array<double, 3>;
 
 /// The distinct levels, ascending, and where the caller has them first.
 struct SortedLevels {
@@ -40,44 +40,6 @@ SortedLevels sort_levels(std::span<const double> levels) {
   for (const Index i : order) sorted.values.push_back(value(i));
   sorted.source = std::move(order);
   return sorted;
-}
-
-void check_field(std::span<const double> field, Index vertex_count) {
-  if (field.size() != static_cast<std::size_t>(vertex_count))
-    throw InputError(message("the field has ", field.size(), " values, but the mesh ", vertex_count, " vertices"));
-  const auto bad = [](double value) { return std::isinf(value); };
-  if (!any_value(field, bad)) return;
-  const auto first = std::find_if(field.begin(), field.end(), bad);
-  throw InputError(message("the field is infinite at vertex ", first - field.begin(),
-                           and_more(std::count_if(first, field.end(), bad) - 1, "value")));
-}
-
-/// How many of the ascending levels are <= value. A binary search in which only a factor depends on the outcome:
-/// a branch would be mispredicted every other time.
-Index level_number(std::span<const double> levels, double value) {
-  if (std::isnan(value)) return kUndefined;
-  const double* base = levels.data();
-  for (std::size_t size = levels.size(); size > 0;) {
-    const std::size_t half = (size + 1) / 2;
-    base += static_cast<std::size_t>(base[half - 1] <= value) * half;
-    size -= half;
-  }
-  return static_cast<Index>(base - levels.data());
-}
-
-std::vector<Index> level_numbers(std::span<const double> field, std::span<const double> levels) {
-  std::vector<Index> numbers(field.size());
-  parallel_chunks(field.size(), std::size_t{1} << 15, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) numbers[v] = level_number(levels, field[v]);
-  });
-  return numbers;
-}
-
-/// Squares of the usual lengths are the quick way; those that would vanish take the long one.
-double distance(const Point& a, const Point& b) {
-  const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
-  const double squared = x * x + y * y + z * z;
-  return squared > 1e-280 ? std::sqrt(squared) : std::hypot(x, y, z);
 }
 
 /// Turns half-edges into points. Every line has its own place in the result, so threads may each make some of them.
@@ -135,16 +97,6 @@ class LinePlacer {
     for (std::size_t i = 0; i < 3 * half_edges.size(); ++i) points[i] = between(from[i], to[i], share[i]);
   }
 
-  /// std::lerp for t in [0, 1]: exact at both ends, and never outside them.
-  static double between(double a, double b, double t) {
-    const double sum = t * b + (1 - t) * a, x = a + t * (b - a);
-    const double low = b > x ? x : b, high = b < x ? x : b;
-    const double clamped = b > a ? low : high;
-    const double inner = t == 1 ? b : clamped;
-    const bool around_zero = ((a <= 0) & (b >= 0)) | ((a >= 0) & (b <= 0)); // NOLINT(hicpp-signed-bitwise)
-    return around_zero ? sum : inner;
-  }
-
   void move(std::size_t p, std::size_t to) {
     std::copy_n(lines_.points.data() + 3 * p, 3, lines_.points.data() + 3 * to);
     std::copy_n(lines_.edges.data() + 2 * p, 2, lines_.edges.data() + 2 * to);
@@ -159,9 +111,7 @@ class LinePlacer {
     return (level / 2 - a / 2) / (b / 2 - a / 2);
   }
 
-  [[nodiscard]] Point point(std::size_t i) const {
-    return {lines_.points[3 * i], lines_.points[3 * i + 1], lines_.points[3 * i + 2]};
-  }
+  [[nodiscard]] Point point(std::size_t i) const { return dirichlet::point(lines_, i); }
 
   std::span<const Index> corners_;
   std::span<const double> positions_;

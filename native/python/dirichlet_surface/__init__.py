@@ -11,6 +11,7 @@ All errors are DirichletError: InputError, TopologyError or SolverError, one sen
 from ._native import DirichletError, InputError, SolverError, TopologyError
 from .field import CsrMatrix, Field, HarmonicSolver, SolveReport, dirichlet_laplacian, solve
 from .geodesic import geodesic_disc
+from .line_shaping import keep_long, move_lines, resample_lines, simplify_lines, smooth_lines
 from .lines import Isolines, even_levels, isolines, level_through_point, stepped_levels
 from .mesh import Mesh, PatchFacts, inspect_patches, read_mesh, write_mesh
 from .painting import Painting, Patch, combine_patches
@@ -35,8 +36,13 @@ __all__ = [
     "geodesic_disc",
     "inspect_patches",
     "isolines",
+    "keep_long",
     "level_through_point",
+    "move_lines",
     "read_mesh",
+    "resample_lines",
+    "simplify_lines",
+    "smooth_lines",
     "solve",
     "stepped_levels",
     "write_mesh",

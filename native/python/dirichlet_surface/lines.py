@@ -19,9 +19,9 @@ class Isolines:
     points: Reals
     """(P, 3) on the surface, in the unit of the positions"""
     edges: Indices
-    """(P, 2) the mesh edge or polygon diagonal of every point, smaller vertex first"""
+    """(P, 2) the mesh edge or polygon diagonal of every point, smaller vertex first; (0, 2) of resampled lines"""
     t: Reals
-    """(P,) in [0, 1], from the first vertex of the edge to the second"""
+    """(P,) in [0, 1], from the first vertex of the edge to the second; (0,) of resampled lines"""
     offsets: Indices
     """(L + 1,)"""
     closed: NDArray[np.bool_]
