@@ -25,7 +25,7 @@ _POLL = 0.005  # seconds between looks at a brush or a thread that is busy
 _followers: dict[int, Follower] = {}  # by the address of the object
 _threads: ThreadPoolExecutor | None = None
 _busy = False
-_operator: tuple[int, int] = (0, 0)  # the last one that had run when something changed
+_operator: tuple[int, int] = (0, 0)  # the last one that had finished at the last look
 
 
 def changed(obj: bpy.types.Object, what: Change, *, brush: bool = False) -> None:
@@ -41,12 +41,14 @@ def changed(obj: bpy.types.Object, what: Change, *, brush: bool = False) -> None
 
 def catch_up() -> None:
     """Does what is due and quickly done, in a handler after which Blender evaluates by itself."""
+    global _operator
     for address, follower in list(_followers.items()):
         if follower.has_something_to_do():
             obj = _find(address, follower)
             if obj and not _needs_thread(obj):
                 with _own_changes(evaluate=False):
                     _advance(follower, obj, None)
+    _operator = _last_operator()
 
 
 def flush(*, evaluate: bool = True) -> None:
@@ -117,6 +119,7 @@ def _followed(obj: bpy.types.Object) -> Change:
 
 def _tick() -> float | None:
     """One look at everything; the seconds to the next one, or nothing when all is done."""
+    global _operator
     stroke_ended = _stroke_ended()
     for address, follower in list(_followers.items()):
         obj = _find(address, follower)
@@ -127,6 +130,7 @@ def _tick() -> float | None:
             if follower.has_something_to_do():
                 with _own_changes():
                     _advance(follower, obj, _pool() if _needs_thread(obj) else None)
+    _operator = _last_operator()
     return _POLL if any(follower.pending or follower.job for follower in _followers.values()) else None
 
 
@@ -158,12 +162,13 @@ def _brush_may_move() -> bool:
 
 
 def _stroke_ended() -> bool:
-    """Whether an operator has finished since the last change: a brush reports its stroke when it is lifted."""
-    global _operator
+    """Whether an operator has finished since the last look: a brush does when it is lifted."""
+    return _last_operator() != _operator
+
+
+def _last_operator() -> tuple[int, int]:
     operators = bpy.context.window_manager.operators
-    last = (len(operators), operators[-1].as_pointer()) if operators else (0, 0)
-    ended, _operator = last != _operator, last
-    return ended
+    return (len(operators), operators[-1].as_pointer()) if operators else (0, 0)
 
 
 @contextmanager
