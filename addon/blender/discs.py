@@ -14,6 +14,7 @@ from .. import library
 from . import meshes, patches, sessions
 
 _MARGIN = 1.5  # of the radius: as far around are distances known, for the outline between the vertices
+_WHITE = np.ones((1, 4), np.float32)
 
 
 class Disc:
@@ -35,11 +36,11 @@ class Disc:
         self._known, self._distances = library.load().geodesic_disc(self._mesh, self._location, reach, self._face)
         self.vertices = self._known[self._distances <= radius]
 
-    def outline(self) -> Any:
-        """The library's Isolines of the distance at the radius; one round a hole is a part of it too."""
+    def outline(self) -> tuple[Any, NDArray[np.float32]]:
+        """The library's Isolines of the distance at the radius, round holes too, and the colour (1, 4) to show them."""
         distances = np.full(self._mesh.vertex_count, self.radius * _MARGIN)
         distances[self._known] = self._distances
-        return library.load().isolines(self._mesh, distances, [self.radius])
+        return library.load().isolines(self._mesh, distances, [self.radius]), _WHITE
 
 
 def default_radius(obj: bpy.types.Object) -> float:

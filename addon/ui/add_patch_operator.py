@@ -103,7 +103,7 @@ class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
             self._show()
 
     def _show(self) -> None:
-        self._outline.set(self._disc.outline())
+        self._outline.set(*self._disc.outline())
         self._pointer.area.header_text_set(
             f"Patch of {len(self._disc.vertices)} vertices, radius {self._disc.radius:.4g}.   "
             "Drag: radius   Release: add   Esc, right button: cancel"

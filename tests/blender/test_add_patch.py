@@ -174,9 +174,9 @@ def test_the_outline_is_where_the_distance_is_the_radius(discs):
     obj = grid(30, 30)
     shape = discs.Disc(obj, (14.3, 15.2, 0))
     shape.resize(6.0)
-    lines = shape.outline()
+    lines, colors = shape.outline()
     distances = np.linalg.norm(lines.points - (14.3, 15.2, 0), axis=1)
-    assert len(lines) == 1
+    assert len(lines) == len(colors) == 1
     assert lines.closed[0]
     assert np.abs(distances - 6).max() < 0.1
     assert len(shape.vertices) == len(near(obj, (14.3, 15.2, 0), 6))
