@@ -51,13 +51,16 @@ def _evaluated(mesh: bpy.types.Mesh, names: Sequence[str]) -> Iterator[bpy.types
     tree = _tree(names)
     scene = bpy.data.scenes.new(tree.name)
     obj = bpy.data.objects.new(tree.name, mesh)
+    empty = bpy.data.meshes.new(tree.name)
     try:
         scene.collection.objects.link(obj)
         obj.modifiers.new(tree.name, "NODES").node_group = tree
         scene.view_layers[0].update()
         yield obj.evaluated_get(scene.view_layers[0].depsgraph).data.attributes
     finally:
+        obj.data = empty  # Blender evaluates the mesh of a removed object again, wherever else it is used
         bpy.data.objects.remove(obj)
+        bpy.data.meshes.remove(empty)
         bpy.data.scenes.remove(scene)
         bpy.data.node_groups.remove(tree)
 

@@ -181,6 +181,26 @@ def test_weight_reading_leaves_nothing_behind(addon, surface):
     assert (len(bpy.data.scenes), len(bpy.data.objects), len(bpy.data.node_groups), obj.data.users) == before
 
 
+def test_weight_reading_does_not_make_blender_evaluate_the_mesh_again(addon):
+    obj = painted_grid()
+    bpy.context.view_layer.update()
+    updated = []
+
+    def handler(scene, depsgraph):
+        updated.extend(type(update.id).__name__ for update in depsgraph.updates)
+
+    importlib.import_module(f"{addon.__name__}.blender.painting").read_painting(obj)
+    bpy.app.handlers.depsgraph_update_post.append(handler)
+    try:
+        bpy.context.view_layer.update()
+        assert "Mesh" not in updated
+        obj.data.update()
+        bpy.context.view_layer.update()
+        assert "Mesh" in updated
+    finally:
+        bpy.app.handlers.depsgraph_update_post.remove(handler)
+
+
 def test_results_tell_the_paper_table():
     obj = painted_grid(columns=12, rows=7)
     solve()
