@@ -18,7 +18,10 @@ class Hit(NamedTuple):
 
 
 def cast_ray(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph, origin: Vector, direction: Vector) -> Hit | None:
-    """The first point of the object's surface on a ray in world space; other objects do not stand in the way."""
+    """The first point of the object's surface on a ray in world space; other objects do not stand in the way. A hidden
+    object has none."""
+    if not obj.visible_get():
+        return None
     shown = obj.evaluated_get(depsgraph)
     inverse = obj.matrix_world.inverted_safe()
     found, location, _, face = shown.ray_cast(inverse @ origin, inverse.to_3x3() @ direction, depsgraph=depsgraph)

@@ -170,6 +170,21 @@ def test_where_modifiers_make_other_faces_the_place_is_as_shown(picking):
     assert tuple(hit.location) == pytest.approx((2.4, 3.4, 0), abs=1e-5)
 
 
+@pytest.mark.parametrize("how", ["hide_viewport", "hide_set", "unlinked", "no faces"])
+def test_what_is_not_shown_is_not_hit(picking, how):
+    obj = grid()
+    if how == "unlinked":
+        bpy.context.collection.objects.unlink(obj)
+    elif how == "no faces":
+        obj.data.clear_geometry()
+    elif how == "hide_set":
+        obj.hide_set(True)
+    else:
+        obj.hide_viewport = True
+    bpy.context.view_layer.update()
+    assert cast(picking, obj, (5.5, 3.5, 99), (0, 0, -1)) is None
+
+
 def test_the_outline_is_where_the_distance_is_the_radius(discs):
     obj = grid(30, 30)
     shape = discs.Disc(obj, (14.3, 15.2, 0))
