@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import meshes
+from . import meshes, sessions
 
 MOST = 64  # patches made at once: more are a mistake, such as colours that blend into each other
 
@@ -20,26 +20,27 @@ _CHANNELS = {"INT": ("value", 1, np.int32), "INT8": ("value", 1, np.int8), "BOOL
 _SHADES = 65535  # steps that a colour's channel is told apart by: finer than any byte colour's
 
 
-def border_loops(mesh: bpy.types.Mesh) -> Sets:
+def border_loops(obj: bpy.types.Object) -> Sets:
     """The vertices of every border. Raises InputError when the mesh is closed or has too many borders."""
-    offsets, vertices = meshes.read_mesh(mesh).border_loops()
+    offsets, vertices = sessions.open_session(obj).mesh.border_loops()
     loops = np.split(np.asarray(vertices), offsets[1:-1]) if len(offsets) > 1 else []
-    return _require_some(loops, f"border loops of mesh '{mesh.name}'")
+    return _require_some(loops, f"border loops of mesh '{obj.data.name}'")
 
 
-def pieces(mesh: bpy.types.Mesh) -> Sets:
+def pieces(obj: bpy.types.Object) -> Sets:
     """The vertices of every connected piece. Raises InputError when there are none or too many."""
-    labels = np.zeros(len(mesh.vertices), np.int64)
-    return _require_some(islands(labels, meshes.read_edges(mesh)), f"connected pieces of mesh '{mesh.name}'")
+    labels = np.zeros(len(obj.data.vertices), np.int64)
+    return _require_some(islands(labels, meshes.read_edges(obj.data)), f"connected pieces of mesh '{obj.data.name}'")
 
 
-def attribute_islands(mesh: bpy.types.Mesh, name: str, background: bool) -> Sets:
+def attribute_islands(obj: bpy.types.Object, name: str, background: bool) -> Sets:
     """The connected vertices that share a value of the attribute, for every value; of values on corners, edges or
     faces, a vertex has the one that all around it agree on, and none where they do not.
 
     background: leave out the most frequent value, which then has no say around a vertex. Raises InputError for an
     attribute that is not there or has no such values, and when there are none or too many.
     """
+    mesh = obj.data
     values = _distinct(_read(mesh, name))
     if background:
         values[values == np.bincount(values).argmax()] = -1
@@ -69,7 +70,7 @@ def _read(mesh: bpy.types.Mesh, name: str) -> NDArray[np.generic]:
     """(N,) or (N, 4) as stored."""
     attribute = mesh.attributes.get(name)
     if attribute is None:
-        missing = f"attribute '{name}'" if name else "color attribute: name another attribute"
+        missing = f"attribute '{name}'" if name else "color attribute of its own: name an attribute"
         raise library.load().InputError(f"mesh '{mesh.name}' has no {missing}")
     if attribute.data_type not in _CHANNELS:
         raise library.load().InputError(

@@ -5,6 +5,7 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from .. import library
+from ..blender.names import COLOR
 from .common import poll_mesh
 
 
@@ -16,12 +17,12 @@ class _SourceOperator:
         return poll_mesh(cls, context)
 
     def add(self, context, name: str, find) -> set[str]:
-        """A patch named so for every set of vertices that `find` returns of the mesh."""
+        """A patch named so for every set of vertices that `find` returns of the object."""
         from ..blender import patches
 
         obj = context.active_object
         try:
-            sets = find(obj.data)
+            sets = find(obj)
         except library.refusals() as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -33,7 +34,7 @@ class _SourceOperator:
 
 class DIRICHLET_OT_patches_from_borders(_SourceOperator, bpy.types.Operator):
     bl_idname = "dirichlet.patches_from_borders"
-    bl_label = "Border Loops"
+    bl_label = "Patches from Borders"
     bl_description = "Add a patch for every border of the mesh: the closed loop of vertices along it"
 
     def execute(self, context):
@@ -44,7 +45,7 @@ class DIRICHLET_OT_patches_from_borders(_SourceOperator, bpy.types.Operator):
 
 class DIRICHLET_OT_patches_from_pieces(_SourceOperator, bpy.types.Operator):
     bl_idname = "dirichlet.patches_from_pieces"
-    bl_label = "Connected Pieces"
+    bl_label = "Patches from Pieces"
     bl_description = (
         "Add a patch for every connected piece of the mesh, the whole piece: one value for each. Leave out pieces by "
         "turning their patches off, or erase paint where the field shall vary"
@@ -58,7 +59,7 @@ class DIRICHLET_OT_patches_from_pieces(_SourceOperator, bpy.types.Operator):
 
 class DIRICHLET_OT_patches_from_attribute(_SourceOperator, bpy.types.Operator):
     bl_idname = "dirichlet.patches_from_attribute"
-    bl_label = "Colors or Attribute"
+    bl_label = "Patches from Colors"
     bl_description = (
         "Add a patch for every island of equal value of the active color attribute, or of another one: color, integer, "
         "boolean or float. On corners, edges and faces, vertices where different values meet belong to none"
@@ -89,7 +90,7 @@ class DIRICHLET_OT_patches_from_attribute(_SourceOperator, bpy.types.Operator):
         name = self.attribute or _active_color(context)
         # not the attribute's own name, which would then stand for both
         return self.add(
-            context, f"{name} island", lambda mesh: patch_sources.attribute_islands(mesh, name, self.background)
+            context, f"{name} island", lambda obj: patch_sources.attribute_islands(obj, name, self.background)
         )
 
 
@@ -100,14 +101,15 @@ class DIRICHLET_MT_patches_from(bpy.types.Menu):
     def draw(self, context):
         layout = self.layout
         layout.operator("dirichlet.patch_add_selected", text="Selected Vertices", icon="RESTRICT_SELECT_OFF")
-        layout.operator("dirichlet.patches_from_borders", icon="MESH_CIRCLE")
-        layout.operator("dirichlet.patches_from_pieces", icon="OUTLINER_OB_POINTCLOUD")
+        layout.operator("dirichlet.patches_from_borders", text="Border Loops", icon="MESH_CIRCLE")
+        layout.operator("dirichlet.patches_from_pieces", text="Connected Pieces", icon="OUTLINER_OB_POINTCLOUD")
         layout.operator("dirichlet.patches_from_attribute", text="Colors or Attribute...", icon="GROUP_VCOL")
 
 
 def _active_color(context: bpy.types.Context) -> str:
-    """Name of the active colour attribute; empty when there is none."""
-    return context.active_object.data.color_attributes.active_color_name
+    """Name of the active colour attribute; empty when there is none but the field's."""
+    name = context.active_object.data.color_attributes.active_color_name
+    return "" if name == COLOR else name
 
 
 CLASSES = (

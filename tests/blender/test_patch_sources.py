@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from refusal import assert_refused
-from scene import add, grid, paint, painted_sphere
+from scene import add, grid, paint, painted_grid, painted_sphere
 
 
 def patches_of(obj):
@@ -131,7 +131,14 @@ def test_attribute_that_gives_no_patches_is_refused(prepare, sentence):
 
 
 def test_without_colors_the_sentence_asks_for_a_name():
-    assert_refused(bpy.ops.dirichlet.patches_from_attribute, grid(), "no color attribute: name another")
+    assert_refused(bpy.ops.dirichlet.patches_from_attribute, grid(), "no color attribute of its own")
+
+
+def test_the_colors_of_the_field_are_not_taken_for_paint():
+    obj = painted_grid()
+    bpy.ops.dirichlet.solve_field()
+    assert obj.data.color_attributes.active_color_name == "dirichlet_color"
+    assert_refused(bpy.ops.dirichlet.patches_from_attribute, obj, "no color attribute of its own")
 
 
 def test_closed_mesh_has_no_border():
