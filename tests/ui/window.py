@@ -25,7 +25,8 @@ import configuration  # noqa: E402
 
 BLENDER = os.environ.get("BLENDER", shutil.which("blender") or "/usr/bin/blender")
 OUT = ROOT / "build" / "ui"
-SIZE = (1600, 900)
+SIZES = {"soak": (800, 600)}  # many steps: the fewer the pixels, the more of them
+USUAL_SIZE = (1600, 900)
 
 
 class WindowError(AssertionError):
@@ -33,11 +34,10 @@ class WindowError(AssertionError):
 
 
 @contextmanager
-def screen() -> Iterator[str]:
-    """The name of a display that lasts as long as the context."""
+def screen(width: int, height: int) -> Iterator[str]:
+    """The name of a display of so many pixels, which lasts as long as the context."""
     read, write = os.pipe()
-    size = f"{SIZE[0]}x{SIZE[1]}x24"
-    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", size, "-nolisten", "tcp"]
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp"]
     server = subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL)
     os.close(write)
     try:
@@ -57,11 +57,12 @@ def run_inside(script: str, *words: str, archive: Path, limit: float) -> str:
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     log = folder / "log.txt"
-    with tempfile.TemporaryDirectory() as home, screen() as display, log.open("w") as output:
+    size = SIZES.get(script, USUAL_SIZE)
+    with tempfile.TemporaryDirectory() as home, screen(*size) as display, log.open("w") as output:
         environment = configuration.empty(Path(home)) | {"LIBGL_ALWAYS_SOFTWARE": "1", "DISPLAY": display}
         configuration.install(BLENDER, environment, archive)
         start = f"import sys; sys.path[:0] = {[str(HERE / 'inside'), str(HERE.parent / 'blender')]}; import {script}"
-        command = [BLENDER, "-noaudio", "--window-geometry", "0", "0", *map(str, SIZE), "--python-expr", start]
+        command = [BLENDER, "-noaudio", "--window-geometry", "0", "0", *map(str, size), "--python-expr", start]
         command += ["--", str(folder), *words]
         with subprocess.Popen(command, stdout=output, stderr=output, env=environment) as process:
             ending = _wait(process, limit)

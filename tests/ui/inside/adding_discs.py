@@ -4,27 +4,27 @@
 import bpy
 import hand
 import screen
+from canvas import add_ball, ball
 from hand import Pixel
 from steps import Waiting, finished, picture, run, until
 from truth import is_fresh
 
-BALL = "Icosphere"
 LEFT, RIGHT = (-0.5, -(0.75**0.5), 0.0), (0.5, -(0.75**0.5), 0.0)  # on the front of the ball
 FINE = 0.03  # some edges of the mesh
 
 
 def patches() -> list[tuple[str, float]]:
-    return [(patch.group, patch.value) for patch in bpy.data.objects[BALL].dirichlet.patches]
+    return [(patch.group, patch.value) for patch in ball().dirichlet.patches]
 
 
 def members(group: str) -> set[int]:
-    obj = bpy.data.objects[BALL]
+    obj = ball()
     index = obj.vertex_groups[group].index
     return {v.index for v in obj.data.vertices if any(g.group == index and g.weight == 1 for g in v.groups)}
 
 
 def pixel(point: tuple[float, float, float], right: int = 0) -> Pixel:
-    x, y = screen.pixel_of(bpy.data.objects[BALL], point)
+    x, y = screen.pixel_of(point)
     return x + right, y
 
 
@@ -41,12 +41,7 @@ def press_and_drag(point: tuple[float, float, float], right: int) -> Waiting:
 
 
 def start() -> Waiting:
-    bpy.ops.object.delete()
-    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=6)
-    yield 0.5
-    with screen.at():
-        bpy.ops.view3d.view_axis(type="FRONT")
-        bpy.ops.view3d.view_selected()
+    yield from add_ball()
     take_the_tool()
     bpy.ops.ed.undo_push(message="start")
     yield 1
@@ -58,7 +53,7 @@ def drag_a_disc() -> Waiting:
     yield from picture("while-dragging")
     yield from finished("xdotool", "mouseup", 1)
     yield from until(lambda: patches() == [("Disc", 0)])
-    obj = bpy.data.objects[BALL]
+    obj = ball()
     inside = members("Disc")
     straight = [sum((a - b) ** 2 for a, b in zip(vertex.co, LEFT)) ** 0.5 for vertex in obj.data.vertices]
     dragged = obj.dirichlet.disc_radius * 12**0.5  # the ball's box has sides of 2
@@ -68,12 +63,12 @@ def drag_a_disc() -> Waiting:
 
 
 def change_of_mind() -> Waiting:
-    before = patches(), bpy.data.objects[BALL].dirichlet.disc_radius
+    before = patches(), ball().dirichlet.disc_radius
     yield from press_and_drag(RIGHT, 100)
     yield from finished("xdotool", "click", 3)  # not Esc, after which Blender ends with exit code 1
     yield from finished("xdotool", "mouseup", 1)
     yield 0.3
-    assert (patches(), bpy.data.objects[BALL].dirichlet.disc_radius) == before
+    assert (patches(), ball().dirichlet.disc_radius) == before
 
 
 def beside_the_ball() -> Waiting:
@@ -100,11 +95,11 @@ def undo_and_redo() -> Waiting:
 
 def pick_a_level() -> Waiting:
     bpy.ops.dirichlet.solve_field()
-    assert is_fresh(bpy.data.objects[BALL])
+    assert is_fresh(ball())
     with screen.at():
         bpy.ops.dirichlet.pick_level("INVOKE_DEFAULT")
     yield from hand.click(pixel((0.0, -1.0, 0.0)))
-    settings = bpy.data.objects[BALL].dirichlet
+    settings = ball().dirichlet
     assert settings.levels_mode == "LIST"
     assert abs(float(settings.levels_list) - 0.5) < FINE  # midway between two discs alike
 

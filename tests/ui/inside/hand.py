@@ -14,8 +14,8 @@ def move(pixel: Pixel) -> Waiting:
     yield 0.05
 
 
-def click(pixel: Pixel, button: int = 1) -> Waiting:
-    yield from finished("xdotool", "mousemove", *pixel, *_PAUSE, "click", button)
+def click(pixel: Pixel, button: int = 1, times: int = 1) -> Waiting:
+    yield from finished("xdotool", "mousemove", *pixel, *_PAUSE, "click", "--repeat", times, button)
     yield 0.4
 
 
@@ -25,10 +25,10 @@ def press(keys: str) -> Waiting:
     yield 0.6
 
 
-def drag(path: Iterable[Pixel]) -> Waiting:
-    """Along the pixels with the left button down: a stroke, or a slider's way."""
+def drag(path: Iterable[Pixel], pause: float = 0.05) -> Waiting:
+    """Along the pixels with the left button down, so many seconds at each: a stroke, or a slider's way."""
     first, *rest = path
-    way = [word for pixel in rest for word in ("mousemove", *pixel, "sleep", 0.05)]
+    way = [word for pixel in rest for word in ("mousemove", *pixel, "sleep", pause)]
     yield from finished("xdotool", "mousemove", *first, *_PAUSE, "mousedown", 1, *_PAUSE, *way, *_PAUSE, "mouseup", 1)
     yield 0.4
 

@@ -3,22 +3,14 @@
 
 import bpy
 import hand
+import numpy as np
 import screen
-from steps import Waiting, run
+from canvas import add_ball, ball, go_to, stroke
+from dirichlet_isolines.blender import live
+from dirichlet_isolines.blender.sessions import open_session
+from scene import field_of
+from steps import Waiting, pictures, run, until
 from truth import colors_follow, is_fresh
-
-BALL = "Icosphere"
-
-
-def ball() -> bpy.types.Object:
-    """Asked for anew in every step: undo and files replace it."""
-    return bpy.data.objects[BALL]
-
-
-def stroke(start: tuple[float, float], end: tuple[float, float]) -> Waiting:
-    """From one direction to another, both as x and z of the ball's front."""
-    ends = [(x, -((1 - x * x - z * z) ** 0.5), z) for x, z in (start, end)]
-    yield from hand.drag(hand.line(*(screen.pixel_of(ball(), end) for end in ends)))
 
 
 def press_button(name: str, across: float = 0.6) -> Waiting:
@@ -26,24 +18,17 @@ def press_button(name: str, across: float = 0.6) -> Waiting:
 
 
 def start() -> Waiting:
-    bpy.ops.object.delete()
-    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=6)
-    yield 0.5
-    with screen.at():
-        bpy.ops.view3d.view_axis(type="FRONT")
-        bpy.ops.view3d.view_selected()
-    yield 1
+    yield from add_ball()
 
 
 def open_the_tab() -> Waiting:
-    yield from hand.move(screen.pixel_of(ball(), (0, 0, 0)))
+    yield from hand.move(screen.pixel_of((0, 0, 0)))
     yield from hand.press("n")
     yield from screen.open_tab(bpy.types.DIRICHLET_PT_patches)
 
 
 def paint_the_first_patch() -> Waiting:
-    bpy.ops.object.mode_set(mode="WEIGHT_PAINT")
-    bpy.context.scene.tool_settings.unified_paint_settings.weight = 1
+    go_to("WEIGHT_PAINT")
     yield 1
     yield from stroke((-0.7, -0.3), (-0.7, 0.3))
     yield from press_button("patch_add_group", 0.8)
@@ -56,11 +41,105 @@ def paint_the_second_patch() -> Waiting:
 
 
 def solve() -> Waiting:
-    yield from press_button("solve_field")
+    yield from press_button("solve_field", 0.2)
     yield from press_button("make_isolines")
+    _assert_current()
+
+
+def switch_live_on() -> Waiting:
+    yield from press_button("live")
+    yield from press_button("preview", 0.22)
+    yield from until(_is_quiet)
+    assert ball().dirichlet.live
+    assert live.preview_of(ball())
+    screen.viewport().spaces.active.overlay.weight_paint_mode_opacity = 0.4
+
+
+def paint_on() -> Waiting:
+    ball().vertex_groups.active_index = 0
+    yield from _followed_stroke((-0.3, -0.6), (-0.7, -0.2))
+    yield from _followed_stroke((-0.3, 0.6), (-0.7, 0.2))
+
+
+def slide_the_window() -> Waiting:
+    """Lines follow while the mouse still moves, and nothing is factored or solved anew."""
+    solver, field, shown = open_session(ball())._solver, field_of(ball()), []
+    x, y = yield from screen.find("window_low_place", 0.2)
+    for seconds in hand.drag(hand.line((x, y), (x + 70, y)), 0.4):
+        shown.append(live.preview_of(ball()).version)
+        yield seconds
+    yield from until(_is_quiet)
+    settings = ball().dirichlet
+    assert len(set(shown)) > 2
+    assert 0.2 < settings.window_low == settings.window_low_place < 0.9
+    assert settings.window_high == settings.window_high_place == 1
+    levels = live.preview_of(ball()).lines.levels
+    assert len(levels) == settings.count
+    assert settings.window_low < levels.min() < levels.max() < settings.window_high
+    assert open_session(ball())._solver is solver
+    assert solver.report.update == "nothing"
+    assert np.array_equal(field_of(ball()), field)
+    _assert_current()
+
+
+def undo_twice() -> Waiting:
+    painted = field_of(ball())
+    yield from hand.move(screen.pixel_of((0, 0, 0)))
+    for _ in range(2):
+        yield from hand.press("ctrl+z")
+        yield from until(_is_quiet)
+        _assert_current()
+    assert not np.array_equal(field_of(ball()), painted)
+
+
+def redo() -> Waiting:
+    yield from hand.press("ctrl+shift+z")
+    yield from until(_is_quiet)
+    _assert_current()
+
+
+def save_and_load() -> Waiting:
+    file, before = str(pictures / "painted.blend"), field_of(ball())
+    with screen.at():
+        bpy.ops.wm.save_as_mainfile(filepath=file)
+        bpy.ops.wm.open_mainfile(filepath=file)
+    yield 1
+    yield from until(_is_quiet)
+    assert np.array_equal(field_of(ball()), before)
+    _assert_current()
+    yield from _followed_stroke((0.2, 0.6), (0.6, 0.5))
+
+
+def _followed_stroke(start: tuple[float, float], end: tuple[float, float]) -> Waiting:
+    field, version = field_of(ball()), live.preview_of(ball()).version
+    yield from stroke(start, end)
+    yield from until(_is_quiet)
+    _assert_current()
+    assert not np.array_equal(field_of(ball()), field)
+    assert live.preview_of(ball()).version > version
+
+
+def _is_quiet() -> bool:
+    return not live.is_pending(ball())
+
+
+def _assert_current() -> None:
+    """Field, colours and lines are those of the paint."""
     assert is_fresh(ball())
     assert colors_follow(ball())
     assert len(ball().dirichlet.isolines.data.splines) == ball().dirichlet.results.lines > 0
 
 
-run(start, open_the_tab, paint_the_first_patch, paint_the_second_patch, solve)
+run(
+    start,
+    open_the_tab,
+    paint_the_first_patch,
+    paint_the_second_patch,
+    solve,
+    switch_live_on,
+    paint_on,
+    slide_the_window,
+    undo_twice,
+    redo,
+    save_and_load,
+)

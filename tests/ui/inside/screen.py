@@ -12,6 +12,7 @@ from hand import Pixel
 from mathutils import Vector
 from steps import Waiting
 
+_WHEEL_UP, _WHEEL_DOWN = 4, 5  # buttons of the mouse
 _seen: dict[str, Pixel] = {}  # where a button was when it was last looked for
 
 
@@ -33,10 +34,10 @@ def at(kind: str = "WINDOW") -> AbstractContextManager:
     return bpy.context.temp_override(window=window(), area=viewport(), region=region(kind))
 
 
-def pixel_of(obj: bpy.types.Object, point: tuple[float, float, float]) -> Pixel:
-    """Where a point in the object's space is drawn."""
+def pixel_of(point: tuple[float, float, float]) -> Pixel:
+    """Where a point of the world is drawn."""
     view = region("WINDOW")
-    place = location_3d_to_region_2d(view, viewport().spaces.active.region_3d, obj.matrix_world @ Vector(point))
+    place = location_3d_to_region_2d(view, viewport().spaces.active.region_3d, Vector(point))
     return round(view.x + place.x), round(window().height - view.y - place.y)
 
 
@@ -55,16 +56,19 @@ def open_tab(panel: type[bpy.types.Panel]) -> Waiting:
 
 
 def find(name: str, across: float = 0.6) -> Generator[float, None, Pixel]:
-    """Looks for a button in the sidebar, `across` of its width from the left: an operator's or property's name as
-    Blender's tooltips know it. The pixel is returned, as a generator's value."""
-    side = region("UI")
-    x, top = round(side.x + across * side.width), window().height - side.y - side.height
-    places = [(x, y) for y in range(top + 4, top + side.height, 8)]
-    for pixel in [_seen.get(name, places[0]), *places]:
-        yield from hand.move(pixel)
-        if re.search(rf"\b{name}\b", _under_pointer()):
-            _seen[name] = pixel
-            return pixel
+    """Looks for a button in the sidebar, `across` of its width from the left, scrolling it to its end and back: an
+    operator's or a property's name. The pixel is the generator's value."""
+    for wheel in (None, *[_WHEEL_DOWN] * 3, *[_WHEEL_UP] * 3):
+        side = region("UI")
+        x, top = round(side.x + across * side.width), window().height - side.y - side.height
+        if wheel:
+            yield from hand.click((x, top + side.height // 2), wheel, times=6)
+        places = [(x, y) for y in range(top + 4, top + side.height, 8)]
+        for pixel in [_seen.get(name, places[0]), *places]:
+            yield from hand.move(pixel)
+            if re.search(rf"\b{name}\b", _under_pointer()):
+                _seen[name] = pixel
+                return pixel
     raise AssertionError(f"no button '{name}' in the sidebar")
 
 

@@ -29,6 +29,7 @@ def run(*steps: Callable[[], Waiting]) -> None:
     """Plays the steps once Blender is up, and ends it: with exit code 0 when all of them passed."""
     faulthandler.register(signal.SIGUSR1)  # says where a Blender that hangs is
     bpy.context.preferences.view.show_splash = False
+    bpy.context.preferences.system.viewport_aa = "OFF"  # drawing is done by software
     waits = _play(steps)
 
     def tick() -> float | None:

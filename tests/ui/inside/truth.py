@@ -4,6 +4,7 @@
 import bpy
 import numpy as np
 from dirichlet_isolines import dirichlet_surface
+from dirichlet_isolines.blender.names import FIELD
 from numpy.typing import NDArray
 from scene import colors_of, field_of, library_mesh
 
@@ -23,7 +24,8 @@ def fresh_field(obj: bpy.types.Object) -> NDArray[np.float32]:
 
 def is_fresh(obj: bpy.types.Object) -> bool:
     """Whether the stored field is that of the paint, bit for bit."""
-    return np.array_equal(field_of(obj), fresh_field(obj), equal_nan=True)
+    expected = fresh_field(obj)
+    return FIELD in obj.data.attributes and np.array_equal(field_of(obj), expected, equal_nan=True)
 
 
 def colors_follow(obj: bpy.types.Object) -> bool:

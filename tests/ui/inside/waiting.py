@@ -30,7 +30,7 @@ def start() -> Waiting:
     with screen.at():
         bpy.ops.view3d.view_selected()
     bpy.ops.ed.undo_push(message="painted")
-    yield from hand.move(screen.pixel_of(ball(), (0, 0, 0)))
+    yield from hand.move(screen.pixel_of((0, 0, 0)))
     yield 1
 
 

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Milliseconds from the end of a stroke to new colours and lines, part by part, and those of a window's drag:
+
+    python3 tests/ui/window.py latency [VERTICES…]
+
+Medians of strokes painted with the mouse. The parts are those that the add-on measures, from Blender's word that the
+stroke is over ("wait") to "total"; "redraw" is how long Blender takes from there to have drawn it, here by software.
+"""
+
+from statistics import median
+from time import perf_counter
+
+import bpy
+import numpy as np
+import screen
+from canvas import add_sheet, ball, go_to, stroke
+from dirichlet_isolines.blender import live
+from steps import Waiting, run, until, words
+
+_REPEATS = 5
+_SIZES = [int(word) for word in words] or [14_000, 125_000, 1_000_000]
+
+_drawn = [0.0]  # when the viewport was last drawn
+_rows: list[tuple[str, list[dict[str, float]]]] = []
+
+
+def measure() -> Waiting:
+    note = lambda: _drawn.append(perf_counter())  # noqa: E731
+    bpy.types.SpaceView3D.draw_handler_add(note, (), "WINDOW", "POST_PIXEL")
+    for size in _SIZES:
+        yield from add_sheet(size)
+        _prepare()
+        yield from until(_is_drawn)
+        vertices = f"{len(ball().data.vertices):,} vertices"
+        yield from _repeat(f"stroke, {vertices}", _stroke)
+        yield from _repeat(f"window, {vertices}", _slide)
+        ball().dirichlet.live = False  # so that nobody looks whether the paint has changed, too
+        yield from _repeat("the same without Live", _slide)
+
+
+def print_table() -> Waiting:
+    yield 0
+    parts = list(dict.fromkeys(part for _, samples in _rows for part in samples[-1]))
+    print(f"\n{'ms':28}", *(f"{part:>9}" for part in parts))
+    for name, samples in _rows:
+        middle = [1000 * median(sample.get(part, 0) for sample in samples) for part in parts]
+        print(f"{name:28}", *(f"{value:9.1f}" for value in middle))
+
+
+def _prepare() -> None:
+    """Two patches painted, solved, and followed."""
+    obj = ball()
+    heights = np.array([vertex.co.x for vertex in obj.data.vertices])
+    for name, vertices in (("left", heights < -0.9), ("right", heights > 0.9)):
+        obj.vertex_groups.new(name=name).add(np.flatnonzero(vertices).tolist(), 1.0, "REPLACE")
+        with screen.at():
+            bpy.ops.dirichlet.patch_add_group(group=name)
+    go_to("WEIGHT_PAINT")
+    obj.dirichlet.live = obj.dirichlet.preview = True
+
+
+def _stroke(k: int) -> Waiting:
+    x = -0.7 + 0.1 * k
+    yield from stroke((x, -0.5), (x, 0.5))
+
+
+def _slide(k: int) -> Waiting:
+    """One step of the mouse along the slider."""
+    ball().dirichlet.window_low_place = 0.1 + 0.02 * k
+    yield 0
+
+
+def _repeat(name: str, change) -> Waiting:
+    samples = []
+    for k in range(_REPEATS):
+        yield 0.5
+        yield from change(k)
+        yield from until(_is_drawn, 120)
+        samples.append(live.timings(ball()))
+        samples[-1]["redraw"] = next(moment for moment in _drawn if moment > _updated()) - _updated()
+    _rows.append((name, samples))
+
+
+def _updated() -> float:
+    return live._followers[ball().as_pointer()].noted + live.timings(ball())["total"]
+
+
+def _is_drawn() -> bool:
+    return not live.is_pending(ball()) and _drawn[-1] > _updated()
+
+
+run(measure, print_table)
