@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import attributes, looks, material, meshes, painting, preferences, ramp, results
+from . import attributes, evaluated, looks, material, meshes, painting, preferences, ramp, results
 from .sessions import Session, open_session
 from .stopwatch import Stopwatch
 
@@ -61,14 +61,17 @@ class FieldResult:
     seconds: dict[str, float]  # the report's stages, and "read", "paint", "colors", "write" of Blender's data
 
 
-def read(obj: bpy.types.Object) -> FieldTask:
-    """Raises the library's InputError and TopologyError, naming what is wrong with the object."""
+def read(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = None) -> FieldTask:
+    """depsgraph: that of a handler. Raises the library's InputError and TopologyError, naming what is wrong
+    with the object."""
     clock = Stopwatch()
     meshes.require_mesh(obj)
     attributes.require_names(obj)
     session = open_session(obj)
+    if obj.dirichlet.use_modifiers:
+        evaluated.require_positions(obj, session.arrays, depsgraph)
     clock.lap("read")
-    patches = painting.read_patches(obj)
+    patches = painting.read_patches(obj, depsgraph)
     painted = painting.combine(obj, patches)
     clock.lap("paint")
     table = ramp.read_table(obj) if material.find_ramp(obj) else None

@@ -14,9 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import attributes, field_task, line_task, pipeline, result_objects
+from . import attributes, field_task, line_task, pipeline, result_objects, sessions
 
 _INSPECTED = 200_000  # vertices up to which the patches of the list are looked at on every stroke
+_PREVIEW = ""
 _versions = count(1)
 
 
@@ -40,16 +41,19 @@ class _Work(NamedTuple):
     """What to compute; nothing of Blender's is in it."""
 
     field: field_task.FieldTask | None
-    lines: line_task.LineTask | None
+    lines: dict[str, line_task.LineTask]  # by the name of the result; _PREVIEW: those shown alone
     values: NDArray[np.float32] | None  # (V,) for the lines, unless they are of the new field
 
-    def compute(self) -> tuple[field_task.FieldOutcome | None, line_task.LineOutcome | None, str]:
-        """Field, lines, and why there are no lines: levels that cannot be had do not hold the field back."""
-        field = self.field.compute() if self.field else None
-        try:
-            return field, self.lines.compute(field.values if field else self.values) if self.lines else None, ""
-        except library.refusals() as error:
-            return field, None, str(error)
+    def compute(self) -> tuple[field_task.FieldOutcome | None, dict[str, line_task.LineOutcome], str]:
+        """Field, lines, and why some are missing: levels that cannot be had hold neither field nor other lines back."""
+        field, lines, problem = self.field.compute() if self.field else None, {}, ""
+        values = field.values if field else self.values
+        for name, task in self.lines.items():
+            try:
+                lines[name] = task.compute(values)
+            except library.refusals() as error:
+                problem = str(error)
+        return field, lines, problem
 
 
 class Follower:
@@ -79,8 +83,11 @@ class Follower:
     def has_something_to_do(self) -> bool:
         return not self.is_computing() and (self.job is not None or bool(self.due()))
 
-    def begin(self, obj: bpy.types.Object, pool: ThreadPoolExecutor | None) -> None:
-        """Starts on what is due, unless something is being computed. Without a pool it is computed here."""
+    def begin(
+        self, obj: bpy.types.Object, pool: ThreadPoolExecutor | None, depsgraph: bpy.types.Depsgraph | None = None
+    ) -> None:
+        """Starts on what is due, unless something is being computed. Without a pool it is computed here; depsgraph:
+        that of a handler."""
         what = self.due()
         if self.job or not what:
             return
@@ -90,7 +97,7 @@ class Follower:
         self._begun = perf_counter()
         job: Future = Future()
         try:
-            work = self._read(obj, what)
+            work = self._read(obj, what, depsgraph)
             if pool:
                 job = pool.submit(work.compute)
             else:
@@ -106,39 +113,49 @@ class Follower:
         job, self.job = self.job, None
         try:
             field, lines, problem = job.result()
+            if problem:
+                self.preview = None
             if not self.pending & (Change.FIELD if field else Change.LINES) and obj.mode != "EDIT":
                 self._write(obj, field, lines)
         except library.refusals() as error:
-            problem = str(error)
-        if problem:
-            self.preview = None
+            problem, self.preview = str(error), None
         if obj.dirichlet.results.problem != problem:
             obj.dirichlet.results.problem = problem
 
-    def _read(self, obj: bpy.types.Object, what: Change) -> _Work:
-        field = field_task.read(obj) if Change.FIELD in what else None
+    def _read(self, obj: bpy.types.Object, what: Change, depsgraph: bpy.types.Depsgraph | None) -> _Work:
+        field = field_task.read(obj, depsgraph) if Change.FIELD in what else None
         if not field and not attributes.has_field(obj.data):
-            return _Work(None, None, None)
+            return _Work(None, {}, None)
         if Change.COLORS in what and not field:
             pipeline.update_colors(obj)
-        lines = None
-        if what & (Change.FIELD | Change.LINES) and self._draws_lines(obj):
-            lines = line_task.read(obj, session=field.session if field else None)
+        lines: dict[str, line_task.LineTask] = {}
+        if what & (Change.FIELD | Change.LINES):
+            lines = _read_lines(obj, field.session if field else sessions.open_session(obj), depsgraph)
         return _Work(field, lines, line_task.read_values(obj) if lines and not field else None)
 
-    def _draws_lines(self, obj: bpy.types.Object) -> bool:
-        return obj.dirichlet.preview or result_objects.find_unlocked(obj) is not None
-
-    def _write(self, obj: bpy.types.Object, field, lines) -> None:
+    def _write(self, obj: bpy.types.Object, field, lines: dict[str, line_task.LineOutcome]) -> None:
         self.seconds = {"wait": self._begun - self.noted}
         if field:
             write = pipeline.write_field if len(obj.data.vertices) <= _INSPECTED else field_task.write
             write(obj, field)
             self.seconds |= field.task.clock.laps
-        if lines:
-            self.preview = Preview(lines.lines, lines.colors, next(_versions)) if obj.dirichlet.preview else None
-            result = result_objects.find_unlocked(obj)
-            if obj.dirichlet.live and result:
-                line_task.write(obj, lines, result)
-            self.seconds |= {name: self.seconds.get(name, 0) + lap for name, lap in lines.task.clock.laps.items()}
+        bound = result_objects.find_unlocked(obj)
+        shown = lines.get(_PREVIEW) or (lines.get(bound.name) if bound else None)
+        if shown:
+            self.preview = Preview(shown.lines, shown.colors, next(_versions)) if obj.dirichlet.preview else None
+        for result in result_objects.followers(obj):
+            if result.name in lines:
+                line_task.write(obj, lines[result.name], result)
+        for outcome in lines.values():
+            self.seconds |= {name: self.seconds.get(name, 0) + lap for name, lap in outcome.task.clock.laps.items()}
         self.seconds["total"] = perf_counter() - self.noted
+
+
+def _read_lines(
+    obj: bpy.types.Object, session: sessions.Session, depsgraph: bpy.types.Depsgraph | None
+) -> dict[str, line_task.LineTask]:
+    """Of the results that follow, and of the preview: what the bound result shows, if that follows too."""
+    drawn: dict[str, bpy.types.Object | None] = {found.name: found for found in result_objects.followers(obj)}
+    if obj.dirichlet.preview and result_objects.find_unlocked(obj) not in drawn.values():
+        drawn[_PREVIEW] = None
+    return {name: line_task.read(obj, found, session=session, depsgraph=depsgraph) for name, found in drawn.items()}

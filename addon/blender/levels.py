@@ -23,6 +23,10 @@ class LevelOptions:
     listed: str
     window: tuple[float, float] | None  # None: the field's range
 
+    def window_in(self, low: float, high: float) -> tuple[float, float]:
+        """The window of values in a field that ranges from `low` to `high`; a list of levels has none of its own."""
+        return (low, high) if self.mode == "LIST" or self.window is None else self.window
+
     def choose(self, low: float, high: float) -> NDArray[np.float64]:
         """Ascending or as listed; `low` and `high` are the field's range, the window unless the user set another.
 
@@ -31,7 +35,7 @@ class LevelOptions:
         surface = library.load()
         if self.mode == "LIST":
             return parse_levels(self.listed)
-        low, high = self.window or (low, high)
+        low, high = self.window_in(low, high)
         if self.mode == "STEP":
             return surface.stepped_levels(low, high, self.step, self.phase)
         return surface.even_levels(low, high, self.count)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import attributes, levels, meshes, ramp, result_drawing, result_objects, results
+from . import attributes, evaluated, levels, meshes, ramp, result_drawing, result_objects, results, shaping
 from .sessions import Session, open_session
 from .stopwatch import Stopwatch
 
@@ -22,6 +22,8 @@ class LineTask:
 
     mesh: Any  # the library's Mesh
     options: levels.LevelOptions
+    shape: shaping.ShapeOptions
+    positions: NDArray[np.float64] | None  # (V, 3) that the lines are moved to; nothing where they need not
     table: ramp.ColorTable
     clock: Stopwatch
 
@@ -30,9 +32,15 @@ class LineTask:
         self.clock.restart()
         ends = ramp.limits(values)
         low, high = float(np.fmin.reduce(values)), float(np.fmax.reduce(values))
-        lines = library.load().isolines(self.mesh, values, self.options.choose(low, high))
+        surface = library.load()
+        lines = surface.isolines(self.mesh, values, self.options.choose(low, high))
+        lines = self.shape.on_surface(self.mesh, lines)
+        if self.positions is not None:
+            lines = surface.move_lines(lines, self.positions)
+        lines = self.shape.in_space(lines)
         self.clock.lap("isolines")
-        return LineOutcome(self, lines, self.table.apply(lines.levels, ends))
+        factors = self.shape.factors(lines.levels, self.options.window_in(low, high))
+        return LineOutcome(self, lines, self.table.apply(lines.levels, ends), factors)
 
 
 @dataclass(frozen=True)
@@ -42,6 +50,7 @@ class LineOutcome:
     task: LineTask
     lines: Any  # the library's Isolines, in object space
     colors: NDArray[np.float32]  # (K, 4) linear, one per level
+    factors: NDArray[np.float32]  # (K,) of the thickness, one per level
 
 
 @dataclass(frozen=True)
@@ -61,14 +70,27 @@ class IsolineResult:
 
 
 def read(
-    obj: bpy.types.Object, settings: bpy.types.PropertyGroup | None = None, *, session: Session | None = None
+    obj: bpy.types.Object,
+    result: bpy.types.Object | None,
+    *,
+    session: Session | None = None,
+    depsgraph: bpy.types.Depsgraph | None = None,
 ) -> LineTask:
-    """settings: a LineSettings, the object's own unless another is given; session: the object's, if it is open. Raises
-    the library's InputError and TopologyError, naming what is wrong with the object."""
+    """By what the result is made by, or by the object's settings for a new one. session: the object's, if it is open;
+    depsgraph: that of a handler. Raises the library's InputError and TopologyError, naming what is wrong with
+    the object."""
     clock = Stopwatch()
     meshes.require_mesh(obj)
-    mesh = (session or open_session(obj)).mesh
-    task = LineTask(mesh, levels.read_options(settings or obj.dirichlet), ramp.read_table(obj), clock)
+    session = session or open_session(obj)
+    settings = result_objects.settings_of(result, obj)
+    task = LineTask(
+        session.mesh,
+        levels.read_options(settings),
+        shaping.read_options(settings, session.arrays.diagonal),
+        _read_positions(obj, result, session, depsgraph),
+        ramp.read_table(obj),
+        clock,
+    )
     clock.lap("read")
     return task
 
@@ -83,13 +105,21 @@ def read_values(obj: bpy.types.Object) -> NDArray[np.float32]:
     return values
 
 
+def _read_positions(obj, result, session: Session, depsgraph) -> NDArray[np.float64] | None:
+    """Where the vertices are to be, unless it is where they are."""
+    if obj.dirichlet.use_modifiers:
+        return evaluated.require_positions(obj, session.arrays, depsgraph)
+    follows = result is not None and result.dirichlet_isolines.follow
+    return evaluated.read_positions(obj, session.arrays, depsgraph) if follows else None
+
+
 def write(obj: bpy.types.Object, outcome: LineOutcome, result: bpy.types.Object | None) -> IsolineResult:
     """Puts the lines into the result, or into a new one bound to the object. Records `obj.dirichlet.results` when it is
     the bound one."""
     task, lines = outcome.task, outcome.lines
     task.clock.restart()
-    settings = result_objects.settings_of(result, obj) if result else obj.dirichlet
-    drawn = result_drawing.write(obj, result, lines, outcome.colors, settings)
+    settings = result_objects.settings_of(result, obj)
+    drawn = result_drawing.write(obj, result, lines, outcome.colors, outcome.factors, settings)
     task.clock.lap("write")
     seconds = task.clock.laps | {"connectivity": task.mesh.build_seconds}
     made = IsolineResult(lines, drawn, tuple(lines.warnings), seconds)

@@ -39,7 +39,7 @@ def changed(obj: bpy.types.Object, what: Change, *, brush: bool = False) -> None
         bpy.app.timers.register(_tick, first_interval=0, persistent=True)
 
 
-def catch_up() -> None:
+def catch_up(depsgraph: bpy.types.Depsgraph) -> None:
     """Does what is due and quickly done, in a handler after which Blender evaluates by itself."""
     global _operator
     for address, follower in list(_followers.items()):
@@ -47,20 +47,20 @@ def catch_up() -> None:
             obj = _find(address, follower)
             if obj and not _needs_thread(obj):
                 with _own_changes(evaluate=False):
-                    _advance(follower, obj, None)
+                    _advance(follower, obj, None, depsgraph)
     _operator = _last_operator()
 
 
-def flush(*, evaluate: bool = True) -> None:
-    """Does all that is pending, now: for scripts, frame changes and tests. `evaluate`: see `_own_changes`."""
+def flush(depsgraph: bpy.types.Depsgraph | None = None) -> None:
+    """Does all that is pending, now: for scripts, tests and frame changes, which bring their depsgraph."""
     for address, follower in list(_followers.items()):
         obj = _find(address, follower)
         if obj:
-            with _own_changes(evaluate):
+            with _own_changes(evaluate=depsgraph is None):
                 follower.resting = True
                 while follower.pending or follower.job:
                     follower.finish(obj)
-                    follower.begin(obj, None)
+                    follower.begin(obj, None, depsgraph)
 
 
 def preview_of(obj: bpy.types.Object) -> Preview | None:
@@ -112,7 +112,7 @@ def _followed(obj: bpy.types.Object) -> Change:
     what = Change.COLORS
     if settings.live:
         what |= Change.FIELD | Change.LINES
-    if settings.preview:
+    if settings.preview or settings.followed:
         what |= Change.LINES
     return what
 
@@ -134,10 +134,15 @@ def _tick() -> float | None:
     return _POLL if any(follower.pending or follower.job for follower in _followers.values()) else None
 
 
-def _advance(follower: Follower, obj: bpy.types.Object, pool: ThreadPoolExecutor | None) -> None:
+def _advance(
+    follower: Follower,
+    obj: bpy.types.Object,
+    pool: ThreadPoolExecutor | None,
+    depsgraph: bpy.types.Depsgraph | None = None,
+) -> None:
     """Writes what is computed, begins on what is due, and writes that where it is computed here."""
     follower.finish(obj)
-    follower.begin(obj, pool)
+    follower.begin(obj, pool, depsgraph)
     if not follower.is_computing():
         follower.finish(obj)
 

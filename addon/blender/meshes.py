@@ -29,6 +29,11 @@ class Arrays(NamedTuple):
     offsets: NDArray[np.int32]  # (F + 1,)
     corners: NDArray[np.int32]  # (C,)
 
+    @property
+    def diagonal(self) -> float:
+        """Of the bounding box; 0 without vertices."""
+        return float(np.linalg.norm(np.ptp(self.positions, axis=0))) if len(self.positions) else 0.0
+
     def same_faces(self, other: Arrays) -> bool:
         return (
             len(self.positions) == len(other.positions)

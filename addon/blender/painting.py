@@ -7,9 +7,10 @@ from typing import Any
 
 import bpy
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import library
-from . import groups
+from . import evaluated, groups
 
 
 def read_painting(obj: bpy.types.Object) -> Any:
@@ -22,8 +23,8 @@ def combine(obj: bpy.types.Object, patches: list[Any]) -> Any:
     return library.load().combine_patches(patches, len(obj.data.vertices), obj.dirichlet.overlap)
 
 
-def read_patches(obj: bpy.types.Object) -> list[Any]:
-    """The library's Patch of every enabled patch.
+def read_patches(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = None) -> list[Any]:
+    """The library's Patch of every enabled patch; depsgraph: that of a handler.
 
     A vertex belongs to a patch when its weight in the group is above 0 and at least the threshold, or just above 0
     when the patch takes its weights as values. Raises InputError naming groups and vertices.
@@ -34,13 +35,17 @@ def read_patches(obj: bpy.types.Object) -> list[Any]:
     if missing:
         rest = f" (and {len(missing) - 1} more)" if len(missing) > 1 else ""
         raise surface.InputError(f"object '{obj.name}' has no vertex group '{missing[0]}'{rest}: pick one in the list")
-    painted = []
-    for patch, weights in zip(patches, groups.read_weights(obj.data, [patch.group for patch in patches])):
-        if np.isnan(weights).any():
-            vertex = int(np.flatnonzero(np.isnan(weights))[0])
-            raise surface.InputError(f"vertex group '{patch.group}': the weight of vertex {vertex} is not a number")
-        lowest = 0.0 if patch.weights_as_values else settings.threshold
-        vertices = np.flatnonzero((weights > 0) & (weights >= np.float32(lowest)))
-        values = weights[vertices].astype(np.float64) if patch.weights_as_values else patch.value
-        painted.append(surface.Patch(patch.group, vertices, values))
-    return painted
+    with evaluated.mesh_to_read(obj, depsgraph) as mesh:
+        weights = groups.read_weights(mesh, [patch.group for patch in patches])
+        return [_read_patch(patch, found, settings.threshold) for found, patch in zip(weights, patches, strict=True)]
+
+
+def _read_patch(patch: bpy.types.PropertyGroup, weights: NDArray[np.float32], threshold: float) -> Any:
+    surface = library.load()
+    if np.isnan(weights).any():
+        vertex = int(np.flatnonzero(np.isnan(weights))[0])
+        raise surface.InputError(f"vertex group '{patch.group}': the weight of vertex {vertex} is not a number")
+    lowest = 0.0 if patch.weights_as_values else threshold
+    vertices = np.flatnonzero((weights > 0) & (weights >= np.float32(lowest)))
+    values = weights[vertices].astype(np.float64) if patch.weights_as_values else patch.value
+    return surface.Patch(patch.group, vertices, values)

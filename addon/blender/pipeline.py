@@ -27,14 +27,14 @@ def write_field(obj: bpy.types.Object, outcome: field_task.FieldOutcome) -> Fiel
 def make_isolines(obj: bpy.types.Object) -> IsolineResult:
     """Extracts isolines of the field that the mesh carries, and writes them into the object's result; a locked one
     stays, and another is made."""
-    outcome = line_task.read(obj).compute(line_task.read_values(obj))
-    return line_task.write(obj, outcome, result_objects.find_unlocked(obj))
+    result = result_objects.find_unlocked(obj)
+    return line_task.write(obj, line_task.read(obj, result).compute(line_task.read_values(obj)), result)
 
 
 def refresh(result: bpy.types.Object) -> IsolineResult:
     """Makes the lines of a result anew: by the settings of its mesh object if it is the bound one, else by its own."""
     source = result_objects.require_source(result)
-    task = line_task.read(source, result_objects.settings_of(result, source))
+    task = line_task.read(source, result)
     return line_task.write(source, task.compute(line_task.read_values(source)), result)
 
 

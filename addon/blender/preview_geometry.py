@@ -22,7 +22,7 @@ class Segments(NamedTuple):
 
 def segments(lines, colors: NDArray[np.float32]) -> Segments:
     """lines: the library's Isolines; colors: (K, 4) linear, one per level. Cost: O(P), without a loop over points."""
-    drawing = draw(lines, colors, radius=0.0)
+    drawing = draw(lines, colors, np.ones(len(colors), np.float32), radius=0.0)
     shown = colors.copy()
     shown[:, :3] = library.load("ramps").srgb_bytes(colors[:, :3]) / np.float32(255)
     return Segments(drawing.points, drawing.per_point(shown), drawing.segments())

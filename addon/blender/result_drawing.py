@@ -15,15 +15,20 @@ _OUTPUTS = {"CURVE": curve, "MESH": mesh, "CURVES": curves}  # by the property `
 
 
 def write(
-    source: bpy.types.Object, result: bpy.types.Object | None, lines, colors: NDArray[np.float32], settings
+    source: bpy.types.Object,
+    result: bpy.types.Object | None,
+    lines,
+    colors: NDArray[np.float32],
+    factors: NDArray[np.float32],
+    settings,
 ) -> bpy.types.Object:
     """Puts lines into the result, or into a new one bound to the mesh object; one of another type than the settings'
     output is replaced. Returns the result.
 
-    lines: the library's Isolines; colors: (K, 4) linear, one per level.
+    lines: the library's Isolines; colors: (K, 4) linear and factors: (K,) of the thickness, one per level.
     """
     output = _OUTPUTS[settings.output]
-    drawing = draw(lines, colors, settings.bevel_depth * meshes.diagonal(source.data))
+    drawing = draw(lines, colors, factors, settings.bevel_depth * meshes.diagonal(source.data))
     if result is None:
         result = result_objects.add(source, output.new(f"{source.name}_isolines", drawing))
     elif result.type != output.TYPE:

@@ -8,8 +8,6 @@ its own settings, remembered when it was last made, are what it is refreshed by.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import bpy
 
 from .. import library
@@ -34,9 +32,17 @@ def is_result(obj: bpy.types.Object) -> bool:
     return obj.type in TYPES and obj.dirichlet_isolines.source is not None
 
 
-def settings_of(result: bpy.types.Object, source: bpy.types.Object) -> bpy.types.PropertyGroup:
-    """What the result is made by: the mesh object's settings while it is bound to it, else its own."""
-    return source.dirichlet if find(source) == result else result.dirichlet_isolines
+def settings_of(result: bpy.types.Object | None, source: bpy.types.Object) -> bpy.types.PropertyGroup:
+    """What the result is made by: the mesh object's settings while it is bound to it or new, else its own."""
+    return source.dirichlet if result in (None, find(source)) else result.dirichlet_isolines
+
+
+def drawn_by(settings: bpy.types.PropertyGroup) -> bpy.types.Object | None:
+    """The mesh object whose lines change with a mesh object's or a result's settings."""
+    owner = settings.id_data
+    if settings != owner.dirichlet_isolines:
+        return owner
+    return None if settings.source is None or find(settings.source) == owner else settings.source
 
 
 def require_source(result: bpy.types.Object) -> bpy.types.Object:
@@ -49,9 +55,18 @@ def require_source(result: bpy.types.Object) -> bpy.types.Object:
     return note.source
 
 
-def results_of(source: bpy.types.Object) -> Iterator[bpy.types.Object]:
-    """Every result made of a mesh object, bound or not."""
-    return (obj for obj in bpy.data.objects if is_result(obj) and obj.dirichlet_isolines.source == source)
+def followers(source: bpy.types.Object) -> list[bpy.types.Object]:
+    """Results of a mesh object that are to change with it: those with Follow, and the bound one while Live is on."""
+    bound = find_unlocked(source)
+    found = [bound] if bound and (source.dirichlet.live or bound.dirichlet_isolines.follow) else []
+    if source.dirichlet.followed:
+        found += [obj for obj in bpy.data.objects if obj != bound and _follows(obj, source)]
+    return found
+
+
+def _follows(obj: bpy.types.Object, source: bpy.types.Object) -> bool:
+    note = obj.dirichlet_isolines
+    return note.follow and note.source == source and not note.locked and obj.type in TYPES
 
 
 def add(source: bpy.types.Object, data: bpy.types.ID) -> bpy.types.Object:
@@ -80,17 +95,31 @@ def remember(result: bpy.types.Object, source: bpy.types.Object, settings: bpy.t
 
 def replace(result: bpy.types.Object, data: bpy.types.ID) -> bpy.types.Object:
     """An object with data of another type in the place of the result: name, parent, children, collections, transform,
-    selection and whatever pointed at it. Modifiers and constraints stay behind. The result is gone afterwards."""
-    made, name = bpy.data.objects.new(data.name, data), result.name
-    note = result.dirichlet_isolines
+    visibility and selection. Modifiers and constraints stay behind. The result is gone afterwards."""
+    made, name, note = bpy.data.objects.new(data.name, data), result.name, result.dirichlet_isolines
     made.dirichlet_isolines.source, made.dirichlet_isolines.follow = note.source, note.follow
+    if find(note.source) == result:
+        note.source.dirichlet.isolines = made
     made.parent, made.matrix_parent_inverse = result.parent, result.matrix_parent_inverse
     made.matrix_basis = result.matrix_basis
     made.hide_viewport, made.hide_render = result.hide_viewport, result.hide_render
-    result.user_remap(made)
+    for collection in result.users_collection:
+        collection.objects.link(made)
+    for child in result.children:
+        child.parent, child.matrix_parent_inverse = made, child.matrix_parent_inverse.copy()
+    _take_selection(result, made)
     remove(result)
     made.name = name
     return made
+
+
+def _take_selection(old: bpy.types.Object, new: bpy.types.Object) -> None:
+    """Both are in the same collections."""
+    objects = bpy.context.view_layer.objects
+    if old.name in objects:
+        new.select_set(old.select_get())
+        if objects.active == old:
+            objects.active = new
 
 
 def remove(result: bpy.types.Object) -> None:

@@ -56,7 +56,7 @@ def make_isolines(objects: Sequence[bpy.types.Object]) -> Work:
     for number, one in enumerate(held):
         with _naming(one.name, held):
             obj = one.find()
-            task, values = line_task.read(obj), line_task.read_values(obj)
+            task, values = line_task.read(obj, result_objects.find_unlocked(obj)), line_task.read_values(obj)
             one.keep(meshes.read_arrays(obj.data))
             outcomes.append((yield Step(one.name, (number + 0.3) / len(held), partial(task.compute, values))))
     objects = [one.find() for one in held]

@@ -26,9 +26,20 @@ def painting_changed(settings, context) -> None:
 
 
 def lines_changed(settings, context) -> None:
+    from ..blender import live, result_objects
+
+    source = result_objects.drawn_by(settings)
+    if source:
+        live.changed(source, live.Change.LINES)
+
+
+def follow_changed(note, context) -> None:
+    """`followed` is never switched off: that would need to know of every result."""
     from ..blender import live
 
-    live.changed(settings.id_data, live.Change.LINES)
+    if note.follow and note.source:
+        note.source.dirichlet.followed = True
+        live.changed(note.source, live.Change.LINES)
 
 
 def live_changed(settings, context) -> None:

@@ -23,7 +23,7 @@ def _depsgraph_updated(scene, depsgraph) -> None:
             _note(material.shown_on(update.id.original, scene), colors=True)
     live = _used()
     if live and not live.is_busy():
-        live.catch_up()
+        live.catch_up(depsgraph)
 
 
 @persistent
@@ -42,17 +42,22 @@ def _loaded(path) -> None:
 
 
 @persistent
-def _frame_changed(scene, depsgraph=None) -> None:
+def _frame_changed(scene, depsgraph) -> None:
+    if depsgraph.mode == "RENDER":
+        from ..blender import evaluated
+
+        for obj in scene.objects:
+            evaluated.take_values(obj, depsgraph)
     _note(scene.objects)
     live = _used()
     if live:
-        live.flush(evaluate=False)
+        live.flush(depsgraph)
 
 
 def _note(objects: Iterable[bpy.types.Object], *, colors=False, lines=False, brush=False) -> None:
     """Notes a change of each, of what all depends on unless something is named."""
     for obj in objects:
-        if obj.type == "MESH" and (colors or obj.dirichlet.live or obj.dirichlet.preview):
+        if obj.type == "MESH" and (colors or _is_followed(obj.dirichlet)):
             from ..blender import live
 
             if live.is_busy():
@@ -60,6 +65,10 @@ def _note(objects: Iterable[bpy.types.Object], *, colors=False, lines=False, bru
             what = live.Change.LINES
             what |= live.Change.COLORS if colors else live.Change(0) if lines else live.Change.FIELD
             live.changed(obj, what, brush=brush)
+
+
+def _is_followed(settings: bpy.types.PropertyGroup) -> bool:
+    return settings.live or settings.preview or settings.followed
 
 
 def _used() -> ModuleType | None:

@@ -11,13 +11,13 @@ def draw_line_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyG
     row = layout.row(align=True)
     row.prop(settings, "levels_mode", expand=True)
     row.operator("dirichlet.pick_level", text="", icon="EYEDROPPER")
-    column = properties(layout)
+    column = properties(layout, animated=True)
     if settings.levels_mode == "LIST":
         column.prop(settings, "levels_list")
     else:
         for name in _OF_MODE[settings.levels_mode]:
             column.prop(settings, name)
-        column.prop(settings, "window_auto")
+        properties(column).prop(settings, "window_auto")
         window = column.column(align=True)
         window.active = not settings.window_auto
         window.prop(settings, "window_low")
@@ -27,9 +27,20 @@ def draw_line_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyG
     column.prop(settings, "output")
 
 
-def properties(layout: bpy.types.UILayout) -> bpy.types.UILayout:
-    """A column of properties with their names on the left."""
+def draw_line_shape(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
+    """settings: a LineSettings."""
+    column = properties(layout, animated=True)
+    for name in ("min_length", "smooth", "resample", "simplify"):
+        column.prop(settings, name)
+    column.separator()
+    bevel = column.column(align=True)
+    bevel.prop(settings, "bevel_low")
+    bevel.prop(settings, "bevel_high")
+
+
+def properties(layout: bpy.types.UILayout, *, animated: bool = False) -> bpy.types.UILayout:
+    """A column of properties with their names on the left, and the dots that set keyframes on the right if wanted."""
     column = layout.column()
     column.use_property_split = True
-    column.use_property_decorate = False
+    column.use_property_decorate = animated
     return column

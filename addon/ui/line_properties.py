@@ -5,6 +5,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 
 from . import callbacks
+from .shape_properties import ShapeSettings
 
 _OUTPUTS = (
     ("CURVE", "Curve", "A curve object with a material per level. In geometry nodes (Object Info) and after conversion "
@@ -15,10 +16,10 @@ _OUTPUTS = (
     ("CURVES", "Curves", "The curves of geometry nodes and hair, with attributes per curve: dirichlet_level, "
      "dirichlet_closed, dirichlet_length, dirichlet_line (its number) and dirichlet_color; per point: radius"),
 )  # fmt: skip
-_CAN_ADD_CURVES = "add_curves" in bpy.types.Curves.bl_rna.functions  # not in Blender 3
+_CAN_MAKE_CURVES = "set_types" in bpy.types.Curves.bl_rna.functions
 
 
-class LineSettings:
+class LineSettings(ShapeSettings):
     """What every set of isolines is made by; a part of the PropertyGroups that have one."""
 
     levels_mode: EnumProperty(
@@ -124,5 +125,5 @@ class LineSettings:
         name="Output",
         description="What the isolines are written as. A change replaces the object when they are next made, with its "
         "name, parent, collections and transform",
-        items=_OUTPUTS if _CAN_ADD_CURVES else _OUTPUTS[:2],
+        items=_OUTPUTS if _CAN_MAKE_CURVES else _OUTPUTS[:2],
     )

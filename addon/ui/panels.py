@@ -110,7 +110,9 @@ class DIRICHLET_PT_field_options(_Panel, bpy.types.Panel):
 
     def draw(self, context):
         layout, obj = self.layout, context.active_object
-        properties(layout).prop(obj.dirichlet, "method")
+        column = properties(layout)
+        column.prop(obj.dirichlet, "method")
+        column.prop(obj.dirichlet, "use_modifiers")
         layout.operator("dirichlet.update_colors", icon="FILE_REFRESH")
         if material.hides_others(obj):
             layout.operator("dirichlet.restore_materials", icon="LOOP_BACK")
@@ -121,9 +123,13 @@ class DIRICHLET_PT_isolines(_Panel, bpy.types.Panel):
 
     def draw(self, context):
         layout, settings = self.layout, context.active_object.dirichlet
-        row = layout.row()
+        row = layout.row(align=True)
         row.scale_y = 1.4
         row.operator("dirichlet.make_isolines", icon="CURVE_DATA")
+        bound = result_objects.find(context.active_object)
+        if bound:
+            row.prop(bound.dirichlet_isolines, "follow", text="", icon="LINKED")
+            row.prop(bound.dirichlet_isolines, "locked", text="", icon="LOCKED")
         draw_line_settings(layout, settings)
 
 

@@ -137,6 +137,15 @@ class DirichletSettings(LineSettings, PreviewSettings, bpy.types.PropertyGroup):
         options={"SKIP_SAVE"},  # copied or brought by a preset, it would compute at once
         update=callbacks.live_changed,
     )
+    use_modifiers: BoolProperty(
+        name="Use Modifiers",
+        description="Solve and draw on the shape that armature, shape keys and modifiers give the mesh, by the weights "
+        "that those leave. They have to keep its faces",
+        update=callbacks.painting_changed,
+    )
+    followed: BoolProperty(
+        name="Followed", description="Isolines of this object were set to Follow", options={"SKIP_SAVE"}
+    )
     preview: BoolProperty(
         name="Preview",
         description="Draw the isolines in the viewport at once, without making an object. They are not rendered",

@@ -4,6 +4,7 @@
 import bpy
 from bpy.props import BoolProperty, PointerProperty
 
+from . import callbacks
 from .line_properties import LineSettings
 
 
@@ -19,8 +20,9 @@ class DirichletIsolines(LineSettings, bpy.types.PropertyGroup):
     )
     follow: BoolProperty(
         name="Follow",
-        description="Refresh these isolines when their mesh object changes: its field, its settings, its shape as the "
-        "modifiers, shape keys or armature give it; and at every frame",
+        description="Refresh these isolines when field, settings or frame change, and draw them on the shape that "
+        "armature, shape keys and modifiers give the mesh, as long as those keep its faces",
+        update=callbacks.follow_changed,
     )
 
     @property

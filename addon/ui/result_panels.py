@@ -36,9 +36,9 @@ def _draw_result(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
     row = layout.row(align=True)
     row.operator("dirichlet.result_refresh", icon="FILE_REFRESH")
     row.prop(note, "locked", text="", icon="LOCKED" if note.locked else "UNLOCKED")
-    row = layout.row(align=True)
-    row.operator("dirichlet.result_select_source", icon="RESTRICT_SELECT_OFF")
-    row.operator("dirichlet.result_remove", icon="X")
+    column = layout.column(align=True)
+    column.operator("dirichlet.result_select_source", icon="RESTRICT_SELECT_OFF")
+    column.operator("dirichlet.result_remove", icon="X")
     column = properties(layout)
     column.enabled = not note.locked
     column.prop(note, "source")

@@ -260,7 +260,7 @@ def test_points_that_coincide_in_float32_are_one(addon):
         length=np.ones(5),
         levels=np.arange(5.0),
     )
-    drawn = drawing.draw(lines, np.ones((5, 4), np.float32), 0.1)
+    drawn = drawing.draw(lines, np.ones((5, 4), np.float32), np.ones(5, np.float32), 0.1)
     assert drawn.offsets.tolist() == [0, 3, 6, 9]
     assert np.array_equal(drawn.points[:, 0], [1, 2, 3, 2, 3, 1, 6, 7, 6])
     assert drawn.level.tolist() == [0, 1, 4]

@@ -9,8 +9,8 @@ import pytest
 from refusal import data_counts
 from scene import painted_grid, painted_sphere
 
-CAN_ADD_CURVES = "add_curves" in bpy.types.Curves.bl_rna.functions
-OUTPUTS = ["CURVE", "MESH", *(["CURVES"] if CAN_ADD_CURVES else [])]
+CAN_MAKE_CURVES = "set_types" in bpy.types.Curves.bl_rna.functions
+OUTPUTS = ["CURVE", "MESH", *(["CURVES"] if CAN_MAKE_CURVES else [])]
 OF_LINES = ("dirichlet_level", "dirichlet_closed", "dirichlet_length", "dirichlet_line")
 
 
@@ -105,12 +105,24 @@ def test_switching_the_output_replaces_the_object_in_its_place(surface_object, f
     bpy.context.scene.collection.objects.unlink(before)
     child = bpy.data.objects.new("child", None)
     child.parent = before
-    bpy.context.view_layer.objects.active = surface_object
+    child.matrix_parent_inverse[0][3] = 5
     made = make(surface_object, second)
     assert (made.type, made.name, made.parent) == (second, "Rings", surface_object)
     assert (made.location[:], made.hide_render, list(made.users_collection)) == ((0, 0, 0.5), True, [other])
-    assert child.parent == made
+    assert (child.parent, child.matrix_parent_inverse[0][3]) == (made, 5)
     assert [obj.name for obj in surface_object.children] == ["Rings"]
+
+
+@pytest.mark.parametrize("active", [False, True])
+def test_switching_the_output_keeps_the_selection(pipeline, active):
+    obj = painted_grid()
+    bpy.ops.dirichlet.solve_field()
+    result = make(obj, "CURVE")
+    result.select_set(active)
+    bpy.context.view_layer.objects.active = result if active else obj
+    obj.dirichlet.output = "MESH"
+    made = pipeline.refresh(result).object
+    assert (made.select_get(), bpy.context.view_layer.objects.active == made) == (active, active)
 
 
 def test_switching_there_and_back_leaves_nothing_behind(surface_object):

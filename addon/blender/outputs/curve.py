@@ -46,11 +46,13 @@ def _set_splines(curve: bpy.types.Curve, drawing: Drawing, material_of_level: ND
     curve.splines.clear()
     points = np.column_stack((drawing.points, np.ones(len(drawing.points), np.float32)))
     tilts = drawing.per_point(drawing.levels.astype(np.float32))
+    radii = drawing.per_point(drawing.factors)
     slots = material_of_level[drawing.level].tolist()
     for (start, end), closed, slot in zip(pairwise(drawing.offsets.tolist()), drawing.closed.tolist(), slots):
         spline = curve.splines.new("POLY")
         spline.points.add(end - start - 1)
         spline.points.foreach_set("co", points[start:end].ravel())
         spline.points.foreach_set("tilt", tilts[start:end])
+        spline.points.foreach_set("radius", radii[start:end])
         spline.use_cyclic_u = closed
         spline.material_index = slot

@@ -19,6 +19,7 @@ class Drawing(NamedTuple):
     length: NDArray[np.float64]  # (L,) in object space
     levels: NDArray[np.float64]  # (K,)
     colors: NDArray[np.float32]  # (K, 4) linear
+    factors: NDArray[np.float32]  # (K,) of the radius
     radius: float  # of the tubes, in object space
 
     @property
@@ -41,7 +42,7 @@ class Drawing(NamedTuple):
         return np.column_stack((np.arange(len(following), dtype=np.uint32), following))[drawn]
 
 
-def draw(lines, colors: NDArray[np.float32], radius: float) -> Drawing:
+def draw(lines, colors: NDArray[np.float32], factors: NDArray[np.float32], radius: float) -> Drawing:
     """lines: the library's Isolines. Points that coincide in succession once they are rounded to Blender's float32 are
     one, and lines that shrink to a point are left out."""
     points = lines.points.astype(np.float32)
@@ -55,5 +56,5 @@ def draw(lines, colors: NDArray[np.float32], radius: float) -> Drawing:
     offsets = np.concatenate(([0], np.cumsum(sizes[whole])))
     points = points[kept & np.repeat(whole, ends - starts)]
     return Drawing(
-        points, offsets, closed[whole], lines.level[whole], lines.length[whole], lines.levels, colors, radius
+        points, offsets, closed[whole], lines.level[whole], lines.length[whole], lines.levels, colors, factors, radius
     )

@@ -22,7 +22,7 @@ def write_attributes(data: bpy.types.Mesh | bpy.types.Curves, drawing: Drawing, 
     )
     for name, kind, of_lines in attributes:
         put(data, name, kind, domain, np.repeat(of_lines, drawing.sizes, axis=0) if domain == "POINT" else of_lines)
-    put(data, "radius", "FLOAT", "POINT", np.full(len(drawing.points), drawing.radius, np.float32))
+    put(data, "radius", "FLOAT", "POINT", drawing.per_point(np.float32(drawing.radius) * drawing.factors))
 
 
 def put(data: bpy.types.Mesh | bpy.types.Curves, name: str, kind: str, domain: str, values: NDArray) -> None:
