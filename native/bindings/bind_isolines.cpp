@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+
 #include <pybind11/stl.h>
 
 #include "arrays.h"
@@ -20,6 +22,23 @@ py::dict extract(const Mesh& mesh, const Array<double>& values, const Array<doub
   return to_dict(std::move(lines));
 }
 
+using Spread = std::vector<double> (*)(const Mesh&, std::span<const double>, Index, std::optional<double>,
+                                       std::optional<double>);
+
+/// A function that spreads levels over a surface, for Python.
+auto spreading(Spread spread) {
+  return [spread](const Mesh& mesh, const Array<double>& values, Index count, std::optional<double> low,
+                  std::optional<double> high) {
+    const auto field = view(values);
+    std::vector<double> levels;
+    {
+      const py::gil_scoped_release release;
+      levels = spread(mesh, field, count, low, high);
+    }
+    return to_numpy(std::move(levels));
+  };
+}
+
 double through_point(const Mesh& mesh, const Array<double>& values, const std::array<double, 3>& point) {
   const auto field = view(values);
   const py::gil_scoped_release release;
@@ -36,6 +55,10 @@ void bind_isolines(py::module_& module) {
   module.def("stepped_levels", [](double low, double high, double step, double phase) {
     return to_numpy(stepped_levels(low, high, step, phase));
   });
+  module.def("equal_area_levels", spreading(&equal_area_levels), py::arg("mesh"), py::arg("values").noconvert(),
+             py::arg("count"), py::arg("low"), py::arg("high"));
+  module.def("equal_distance_levels", spreading(&equal_distance_levels), py::arg("mesh"), py::arg("values").noconvert(),
+             py::arg("count"), py::arg("low"), py::arg("high"));
   module.def("level_through_point", &through_point, py::arg("mesh"), py::arg("values").noconvert(), py::arg("point"));
 }
 

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
+#include <numeric>
+#include <utility>
 
 #include "closest_point.h"
 #include "dirichlet/error.h"
+#include "field_checks.h"
+#include "index.h"
 #include "message.h"
+#include "strips.h"
 
 namespace dirichlet {
 namespace {
@@ -22,6 +26,11 @@ void check_window(double low, double high) {
   if (!(low < high)) throw InputError(message("the window from ", low, " to ", high, " is empty"));
 }
 
+void check_count(Index count) {
+  if (count < 1) throw InputError(message("the number of levels is ", count, ", but has to be 1 or more"));
+  if (count > kMostLevels) throw InputError(message(count, " levels are more than the ", kMostLevels, " allowed"));
+}
+
 /// Moves ascending levels, as little as possible, to different doubles strictly inside (low, high). \returns false if
 /// there are not enough of these.
 bool separate(std::vector<double>& levels, double low, double high) {
@@ -33,12 +42,83 @@ bool separate(std::vector<double>& levels, double low, double high) {
   return levels.front() > low;
 }
 
+/// The part of the surface that levels are spread over.
+struct Window {
+  const Mesh& triangles;
+  std::span<const double> field;
+  double low, high;
+};
+
+Window open_window(const Mesh& mesh, std::span<const double> field, Index count, std::optional<double> low,
+                   std::optional<double> high) {
+  check_count(count);
+  check_field(field, mesh.vertex_count());
+  if (low && high) check_window(*low, *high);
+  const Mesh& triangles = mesh.triangulated();
+  double least = kInfinity, greatest = -kInfinity;
+  for (std::size_t c = 0; c < triangles.corners().size(); c += 3) {
+    const auto value = [&](std::size_t i) { return field[at(triangles.corners()[c + i])]; };
+    const double a = value(0), b = value(1), d = value(2);
+    if (std::isnan(a) || std::isnan(b) || std::isnan(d) || (a == b && b == d)) continue;
+    least = std::min({least, a, b, d});
+    greatest = std::max({greatest, a, b, d});
+  }
+  if (!(least < greatest)) throw InputError("the field is constant on every triangle where it has values");
+  const Window window{triangles, field, low.value_or(least), high.value_or(greatest)};
+  check_window(window.low, window.high);
+  if (window.high <= least || window.low >= greatest)
+    throw InputError(message("the window from ", window.low, " to ", window.high, " holds none of the field's range ",
+                             least, " to ", greatest));
+  return window;
+}
+
+/// At least kSamples steps from low to high, small where many vertices have their values.
+std::vector<double> sample(const Window& window) {
+  constexpr std::size_t kSamples = 1 << 10, kEnough = 1 << 16;
+  std::vector<double> values{window.low, window.high};
+  for (std::size_t v = 0; v < window.field.size(); v += window.field.size() / kEnough + 1)
+    if (const double value = window.field[v]; window.low < value && value < window.high) values.push_back(value);
+  std::sort(values.begin(), values.end());
+  const std::size_t last = values.size() - 1, steps = std::min(last, kSamples), parts = (kSamples - 1) / steps + 1;
+  std::vector<double> samples{window.low};
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double from = values[last * i / steps], to = values[last * (i + 1) / steps];
+    for (std::size_t j = 1; j <= parts; ++j) {
+      const double value = std::lerp(from, to, static_cast<double>(j) / static_cast<double>(parts));
+      if (value > samples.back()) samples.push_back(value);
+    }
+  }
+  return samples;
+}
+
+/// Where a quantity that ascends over the samples has gone k + 1 of count + 1 equal steps: the number of the first
+/// sample beyond, and the quantity there.
+std::vector<std::pair<std::size_t, double>> equal_steps(std::span<const double> quantity, Index count) {
+  std::vector<std::pair<std::size_t, double>> steps;
+  std::size_t j = 1;
+  for (Index k = 0; k < count; ++k) {
+    const double goal = std::lerp(quantity.front(), quantity.back(), (k + 1.0) / (count + 1.0));
+    while (j + 1 < quantity.size() && quantity[j] < goal) ++j;
+    steps.emplace_back(j, goal);
+  }
+  return steps;
+}
+
+/// x from low to high for y from y_low to y_high.
+double interpolate(double low, double high, double y_low, double y_high, double y) {
+  return y_high > y_low ? std::lerp(low, high, std::clamp((y - y_low) / (y_high - y_low), 0.0, 1.0)) : low;
+}
+
+/// A level that is looked for, between two others.
+struct Bracket {
+  double low, high, area_low, area_high, goal;
+};
+
 } // namespace
 
 std::vector<double> even_levels(double low, double high, Index count) {
   check_window(low, high);
-  if (count < 1) throw InputError(message("the number of levels is ", count, ", but has to be 1 or more"));
-  if (count > kMostLevels) throw InputError(message(count, " levels are more than the ", kMostLevels, " allowed"));
+  check_count(count);
   std::vector<double> spread(static_cast<std::size_t>(count));
   for (Index k = 0; k < count; ++k) spread[static_cast<std::size_t>(k)] = std::lerp(low, high, (k + 0.5) / count);
   std::vector<double> levels = spread;
@@ -69,10 +149,57 @@ std::vector<double> stepped_levels(double low, double high, double step, double 
   return levels;
 }
 
+std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> field, Index count,
+                                      std::optional<double> low, std::optional<double> high) {
+  const Window window = open_window(mesh, field, count, low, high);
+  const std::vector<double> samples = sample(window), areas = measure_strips(window.triangles, field, samples).area;
+  std::vector<Bracket> brackets;
+  for (const auto& [j, goal] : equal_steps(areas, count))
+    brackets.push_back({samples[j - 1], samples[j], areas[j - 1], areas[j], goal});
+  std::vector<double> levels(brackets.size());
+  const double close = 1e-12 * areas.back();
+  constexpr int kMostPasses = 100;
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    std::transform(brackets.begin(), brackets.end(), levels.begin(), [&](const Bracket& b) { // by halves now and then
+      return pass % 3 == 2 ? std::midpoint(b.low, b.high) : interpolate(b.low, b.high, b.area_low, b.area_high, b.goal);
+    });
+    const Strips strips = measure_strips(window.triangles, field, levels);
+    bool done = true;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      Bracket& bracket = brackets[k];
+      const double level = levels[k], area = strips.area[k];
+      done = done && (std::abs(area - bracket.goal) <= close || level == bracket.low || level == bracket.high);
+      if (area < bracket.goal) {
+        bracket.low = level;
+        bracket.area_low = area;
+      } else {
+        bracket.high = level;
+        bracket.area_high = area;
+      }
+    }
+    if (done) break;
+  }
+  return levels;
+}
+
+std::vector<double> equal_distance_levels(const Mesh& mesh, std::span<const double> field, Index count,
+                                          std::optional<double> low, std::optional<double> high) {
+  const Window window = open_window(mesh, field, count, low, high);
+  const std::vector<double> samples = sample(window);
+  const Strips strips = measure_strips(window.triangles, field, samples);
+  std::vector<double> advance{0}; // of the lines, on average, from the window's lower end
+  for (std::size_t j = 1; j < samples.size(); ++j) {
+    const double area = strips.area[j] - strips.area[j - 1], length = (strips.after[j - 1] + strips.before[j]) / 2;
+    advance.push_back(advance.back() + (area > 0 && length > 0 ? area / length : 0));
+  }
+  std::vector<double> levels;
+  for (const auto& [j, goal] : equal_steps(advance, count))
+    levels.push_back(interpolate(samples[j - 1], samples[j], advance[j - 1], advance[j], goal));
+  return levels;
+}
+
 double level_through_point(const Mesh& mesh, std::span<const double> field, const std::array<double, 3>& point) {
-  if (field.size() != static_cast<std::size_t>(mesh.vertex_count()))
-    throw InputError(
-        message("the field has ", field.size(), " values, but the mesh ", mesh.vertex_count(), " vertices"));
+  check_field_size(field, mesh.vertex_count());
   for (const double x : point)
     if (!std::isfinite(x)) throw InputError(message("the point has the coordinate ", x, ", which is not finite"));
 

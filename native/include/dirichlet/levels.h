@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,28 @@ std::vector<double> even_levels(double low, double high, Index count);
 /// to 1 and the lines move by one step. \throws InputError  step not > 0, an empty window, a number that is not finite,
 /// or more than 1,000,000 levels.
 std::vector<double> stepped_levels(double low, double high, double step, double phase);
+
+/// `count` levels inside the window [low, high] whose strips on the surface have equal areas: those between neighbours,
+/// and the two between a level and an end of the window. Triangles on which the field is constant do not count, since
+/// no line divides them; nor do those with a NaN.
+/// \param low, high  nothing said: the least and greatest value of the triangles that count
+/// \returns ascending; the areas are equal to 1e-9 of their sum, where there are enough doubles. A level in a gap that
+///          no value of the surface fills may lie anywhere in it.
+/// \throws InputError     as even_levels; a field of a wrong length or with an infinite value; a field that is constant
+///                        or has no values; a window that holds none of the surface
+/// \throws TopologyError  a polygon that has no triangulation
+/// Cost: O(V + T) about five times, plus that of 1000 isolines. Same result whatever the thread count.
+std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> field, Index count,
+                                      std::optional<double> low = std::nullopt,
+                                      std::optional<double> high = std::nullopt);
+
+/// The same for distances: from one level to the next lines advance equally far on average, as from the ends of the
+/// window to the levels beside them. How far lines advance is the area they sweep, divided by their length, added up
+/// over a thousand or more steps that are small where the field has much of its surface. Neither this nor the above
+/// changes its lines when another function that ascends is applied to the field, but for what lies between vertices.
+std::vector<double> equal_distance_levels(const Mesh& mesh, std::span<const double> field, Index count,
+                                          std::optional<double> low = std::nullopt,
+                                          std::optional<double> high = std::nullopt);
 
 /// The field's value at the point of the surface nearest to `point`: the level whose line runs through it.
 /// Cost: O(F). \throws InputError  field of a wrong length, or NaN there; a point that is not finite.

@@ -12,7 +12,15 @@ from ._native import DirichletError, InputError, SolverError, TopologyError
 from .field import CsrMatrix, Field, HarmonicSolver, SolveReport, dirichlet_laplacian, solve
 from .geodesic import geodesic_disc
 from .line_shaping import keep_long, move_lines, resample_lines, simplify_lines, smooth_lines
-from .lines import Isolines, even_levels, isolines, level_through_point, stepped_levels
+from .lines import (
+    Isolines,
+    equal_area_levels,
+    equal_distance_levels,
+    even_levels,
+    isolines,
+    level_through_point,
+    stepped_levels,
+)
 from .mesh import Mesh, PatchFacts, inspect_patches, read_mesh, write_mesh
 from .painting import Painting, Patch, combine_patches
 
@@ -32,6 +40,8 @@ __all__ = [
     "TopologyError",
     "combine_patches",
     "dirichlet_laplacian",
+    "equal_area_levels",
+    "equal_distance_levels",
     "even_levels",
     "geodesic_disc",
     "inspect_patches",

@@ -2,14 +2,17 @@
 """Isolines of a field, and ways to choose their levels."""
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._arrays import Indices, Reals, as_count, as_reals, require_shape
+from ._arrays import Indices, Reals, as_count, as_real, as_reals, require_shape
 from .mesh import Mesh, require_mesh
+
+_MOST_LEVELS = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -80,12 +83,55 @@ def _level_warnings(field: Reals, levels: Reals) -> tuple[str, ...]:
 
 def even_levels(low: float, high: float, count: int) -> Reals:
     """`count` levels spread evenly inside the window: low + (k + ½)(high − low)/count; none at its ends."""
-    return _native.even_levels(low, high, as_count(count, "the number of levels", 1_000_000))
+    return _native.even_levels(low, high, as_count(count, "the number of levels", _MOST_LEVELS))
 
 
 def stepped_levels(low: float, high: float, step: float, phase: float = 0.0) -> Reals:
     """The levels (k + phase) · step strictly inside (low, high); a phase from 0 to 1 moves the lines by one step."""
     return _native.stepped_levels(low, high, step, phase)
+
+
+def equal_area_levels(
+    mesh: Mesh, values: ArrayLike, count: int, low: float | None = None, high: float | None = None
+) -> Reals:
+    """`count` levels, ascending, that cut the surface into `count` + 1 strips of equal areas.
+
+    values     (V,); triangles on which the field is constant do not count, nor do those with a NaN
+    low, high  the window that is cut; nothing said: the field's range
+
+    The areas are equal to 1e-9 of their sum, where there are enough doubles. Raises InputError (lengths, an infinite
+    value, a field that is constant or has no values, a window that is empty or holds none of the surface) or
+    TopologyError (a polygon that has no triangulation). Cost: O(V + F) about five times, and that of 1000 isolines.
+    Releases the GIL.
+    """
+    return _spread(_native.equal_area_levels, mesh, values, count, low, high)
+
+
+def equal_distance_levels(
+    mesh: Mesh, values: ArrayLike, count: int, low: float | None = None, high: float | None = None
+) -> Reals:
+    """`count` levels, ascending, from one of which to the next lines advance equally far on average.
+
+    So they do from the ends of the window to the levels beside them. How far lines advance is the area they sweep,
+    divided by their length, added up over a thousand or more small steps. Arguments, errors and cost as for
+    equal_area_levels.
+    """
+    return _spread(_native.equal_distance_levels, mesh, values, count, low, high)
+
+
+def _spread(
+    spread: Callable[[Mesh, Reals, int, float | None, float | None], Reals],
+    mesh: Mesh,
+    values: ArrayLike,
+    count: int,
+    low: float | None,
+    high: float | None,
+) -> Reals:
+    require_mesh(mesh)
+    field = as_reals(values, "field values")
+    require_shape(field, (mesh.vertex_count,), "field values")
+    ends = [None if end is None else as_real(end, "ends of the window") for end in (low, high)]
+    return spread(mesh, field, as_count(count, "the number of levels", _MOST_LEVELS), *ends)
 
 
 def level_through_point(mesh: Mesh, values: ArrayLike, point: ArrayLike) -> float:
