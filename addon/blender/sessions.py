@@ -54,7 +54,9 @@ class Session:
 
 
 def open_session(obj: bpy.types.Object) -> Session:
-    """The session of the object's mesh as it is now. Raises what meshes.read_arrays and the library's Mesh raise."""
+    """The session of the object's mesh as it is now; those of meshes that are gone end here. Raises what
+    meshes.read_arrays and the library's Mesh raise."""
+    _forget_removed()
     key = obj.data.as_pointer()
     arrays = meshes.read_arrays(obj.data)
     session = _sessions.pop(key, None)
@@ -72,13 +74,11 @@ def abandon(session: Session) -> None:
         del _sessions[key]
 
 
-def forget_removed() -> None:
-    """Lets go of meshes that are no longer in the file."""
-    if _sessions:
-        present = {mesh.as_pointer() for mesh in bpy.data.meshes}
-        for key in [key for key in _sessions if key not in present]:
-            del _sessions[key]
-
-
 def forget_all() -> None:
     _sessions.clear()
+
+
+def _forget_removed() -> None:
+    present = {mesh.as_pointer() for mesh in bpy.data.meshes}
+    for key in [key for key in _sessions if key not in present]:
+        del _sessions[key]
