@@ -13,6 +13,8 @@ import sysconfig
 from pathlib import Path
 from types import ModuleType
 
+from .language import say
+
 _NAME = "dirichlet_surface"
 _failure = ""
 
@@ -48,8 +50,14 @@ def refusals() -> tuple[type[Exception], ...]:
 def _explain(error: ImportError) -> str:
     folder = Path(__file__).parent / _NAME
     expected = f"_native{sysconfig.get_config_var('EXT_SUFFIX')}"
-    found = ", ".join(sorted(path.name for path in folder.glob("_native*"))) or "no compiled module"
-    return (
-        f"The compiled library could not be loaded: expected {expected} for Python {sys.version_info.major}."
-        f"{sys.version_info.minor} in {folder}, found {found} ({error})"
+    found = ", ".join(sorted(path.name for path in folder.glob("_native*"))) or say("no compiled module")
+    return say(
+        "The compiled library could not be loaded: expected {expected} for Python {major}.{minor} in {folder}, found "
+        "{found} ({reason})",
+        expected=expected,
+        major=sys.version_info.major,
+        minor=sys.version_info.minor,
+        folder=folder,
+        found=found,
+        reason=error,
     )

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
+from ..language import say
 from .names import COLOR, FIELD
 
 _TYPES = {FIELD: "FLOAT", COLOR: "FLOAT_COLOR"}
@@ -19,14 +20,21 @@ def require_names(obj: bpy.types.Object) -> None:
     for name, data_type in _TYPES.items():
         found = mesh.attributes.get(name)
         if name in obj.vertex_groups:
-            what = "a vertex group"
+            what = say("a vertex group")
         elif name in mesh.uv_layers:
-            what = "a UV map"
+            what = say("a UV map")
         elif found and (found.data_type, found.domain) != (data_type, "POINT"):
-            what = f"a {found.data_type} attribute per {found.domain}"
+            what = say("a {type} attribute per {domain}", type=found.data_type, domain=found.domain)
         else:
             continue
-        raise library.load().InputError(f"'{name}' of mesh '{mesh.name}' is {what}: rename it, the name is needed")
+        raise library.load().InputError(
+            say(
+                "'{name}' of mesh '{mesh}' is {what}: rename it, the name is needed",
+                name=name,
+                mesh=mesh.name,
+                what=what,
+            )
+        )
 
 
 def write(mesh: bpy.types.Mesh, values: NDArray[np.float32], colors: NDArray[np.float32]) -> None:
@@ -74,7 +82,9 @@ def has_field(mesh: bpy.types.Mesh) -> bool:
 def read_field(mesh: bpy.types.Mesh) -> NDArray[np.float32]:
     """(V,) as stored. Raises InputError when there is none."""
     if not has_field(mesh):
-        raise library.load().InputError(f"mesh '{mesh.name}' has no attribute '{FIELD}': run Solve Field first")
+        raise library.load().InputError(
+            say("mesh '{mesh}' has no attribute '{attribute}': run Solve Field first", mesh=mesh.name, attribute=FIELD)
+        )
     values = np.empty(len(mesh.vertices), np.float32)
     mesh.attributes[FIELD].data.foreach_get("value", values)
     return values

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
+from ..language import say
 from . import meshes, patches, sessions
 
 _MARGIN = 1.5  # of the radius: as far around are distances known, for the outline between the vertices
@@ -57,7 +58,11 @@ def add_disc(obj: bpy.types.Object, location: Sequence[float], radius: float, fa
     disc.resize(radius)
     if not disc.vertices.size:
         raise library.load().InputError(
-            f"no vertex of '{obj.name}' is within {radius:.4g} of that point: take a larger radius or a finer mesh"
+            say(
+                "no vertex of '{object}' is within {radius:.4g} of that point: take a larger radius or a finer mesh",
+                object=obj.name,
+                radius=radius,
+            )
         )
     patches.add_group(obj, "Disc", disc.vertices)
     obj.dirichlet.disc_radius = radius / (meshes.diagonal(obj.data) or 1.0)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
+from ..language import say
 from . import meshes, settings
 
 
@@ -33,9 +34,16 @@ def require_positions(
     if positions is None:
         changed = _evaluate(obj, depsgraph).data
         raise library.load().InputError(
-            f"the modifiers of object '{obj.name}' make {len(changed.vertices)} vertices and {len(changed.polygons)} "
-            f"faces of the {len(arrays.positions)} vertices and {len(arrays.offsets) - 1} faces that are painted: "
-            "switch off Use Modifiers, or these modifiers"
+            say(
+                "the modifiers of object '{object}' make {vertices} vertices and {faces} faces of the "
+                "{painted_vertices} vertices and {painted_faces} faces that are painted: switch off Use "
+                "Modifiers, or these modifiers",
+                object=obj.name,
+                vertices=len(changed.vertices),
+                faces=len(changed.polygons),
+                painted_vertices=len(arrays.positions),
+                painted_faces=len(arrays.offsets) - 1,
+            )
         )
     return positions
 

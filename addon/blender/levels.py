@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
+from ..language import say
 
 
 @dataclass(frozen=True)
@@ -53,11 +54,13 @@ def parse_levels(text: str) -> NDArray[np.float64]:
     """Numbers between commas, semicolons or spaces."""
     words = text.replace(",", " ").replace(";", " ").split()
     if not words:
-        raise library.load().InputError("the list of levels is empty: write numbers, such as 0.1, 0.25, 0.5")
+        raise library.load().InputError(say("the list of levels is empty: write numbers, such as 0.1, 0.25, 0.5"))
     levels = []
     for place, word in enumerate(words, start=1):
         try:
             levels.append(float(word))
         except ValueError:
-            raise library.load().InputError(f"level {place} of the list, '{word}', is not a number") from None
+            raise library.load().InputError(
+                say("level {place} of the list, '{word}', is not a number", place=place, word=word)
+            ) from None
     return np.array(levels)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
+from ..language import say
 from . import attributes, evaluated, levels, meshes, ramp, result_drawing, result_objects, results, shaping
 from .sessions import Session, open_session
 from .stopwatch import Stopwatch
@@ -66,7 +67,12 @@ class IsolineResult:
     def summary(self) -> str:
         """One line for people."""
         lines = self.lines
-        return f"{len(lines)} isolines at {len(lines.levels)} levels, {int(lines.closed.sum())} closed"
+        return say(
+            "{lines} isolines at {levels} levels, {closed} closed",
+            lines=len(lines),
+            levels=len(lines.levels),
+            closed=int(lines.closed.sum()),
+        )
 
 
 def read(
@@ -100,7 +106,7 @@ def read_values(obj: bpy.types.Object) -> NDArray[np.float32]:
     values = attributes.read_field(obj.data)
     if np.isnan(values).all():
         raise library.load().InputError(
-            f"the field of mesh '{obj.data.name}' is undefined everywhere: run Solve Field again"
+            say("the field of mesh '{mesh}' is undefined everywhere: run Solve Field again", mesh=obj.data.name)
         )
     return values
 

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 import bpy
 
 from .. import library
+from ..language import say
 from .names import FIELD
 
 _RAMP = "Dirichlet Ramp"
@@ -52,7 +53,7 @@ def show(
     if not obj.material_slots:
         obj.data.materials.append(material)
     kept = [slot.material.name for slot in obj.material_slots if not _assign(slot, material)]
-    return [f"material '{name}' is linked to the object, so it was left where it is" for name in kept]
+    return [say("material '{name}' is linked to the object, so it was left where it is", name=name) for name in kept]
 
 
 def restore(obj: bpy.types.Object) -> None:
@@ -92,9 +93,13 @@ def require_own(obj: bpy.types.Object) -> bpy.types.Material:
     it belongs to another file."""
     found = find(obj)
     if found is None:
-        raise library.load().InputError(f"object '{obj.name}' has no field material: run Solve Field first")
+        raise library.load().InputError(
+            say("object '{object}' has no field material: run Solve Field first", object=obj.name)
+        )
     if found.library:
-        raise library.load().InputError(f"material '{found.name}' is linked from another file: make it local first")
+        raise library.load().InputError(
+            say("material '{name}' is linked from another file: make it local first", name=found.name)
+        )
     own = _single_user(obj, found)
     for slot in obj.material_slots:
         if slot.material == found:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
+from ..language import say
 
 # foreach_get is fast only into a buffer of Blender's own C type: float32 for coordinates, unsigned for indices.
 
@@ -17,9 +18,13 @@ from .. import library
 def require_mesh(obj: bpy.types.Object) -> None:
     """Raises InputError unless the object is a mesh whose data can be read now."""
     if obj.type != "MESH":
-        raise library.load().InputError(f"object '{obj.name}' is not a mesh but of type {obj.type}")
+        raise library.load().InputError(
+            say("object '{object}' is not a mesh but of type {type}", object=obj.name, type=obj.type)
+        )
     if obj.mode == "EDIT":
-        raise library.load().InputError(f"object '{obj.name}' is in Edit Mode: leave it first, its mesh cannot be read")
+        raise library.load().InputError(
+            say("object '{object}' is in Edit Mode: leave it first, its mesh cannot be read", object=obj.name)
+        )
 
 
 class Arrays(NamedTuple):

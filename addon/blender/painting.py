@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
+from ..language import say
 from . import evaluated, groups
 
 
@@ -33,8 +34,15 @@ def read_patches(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = 
     patches = [patch for patch in settings.patches if patch.enabled]
     missing = [patch.group for patch in patches if patch.group not in obj.vertex_groups]
     if missing:
-        rest = f" (and {len(missing) - 1} more)" if len(missing) > 1 else ""
-        raise surface.InputError(f"object '{obj.name}' has no vertex group '{missing[0]}'{rest}: pick one in the list")
+        rest = say(" (and {count} more)", count=len(missing) - 1) if len(missing) > 1 else ""
+        raise surface.InputError(
+            say(
+                "object '{object}' has no vertex group '{group}'{rest}: pick one in the list",
+                object=obj.name,
+                group=missing[0],
+                rest=rest,
+            )
+        )
     with evaluated.mesh_to_read(obj, depsgraph) as mesh:
         weights = groups.read_weights(mesh, [patch.group for patch in patches])
         return [_read_patch(patch, found, settings.threshold) for found, patch in zip(weights, patches, strict=True)]
@@ -44,7 +52,13 @@ def _read_patch(patch: bpy.types.PropertyGroup, weights: NDArray[np.float32], th
     surface = library.load()
     if np.isnan(weights).any():
         vertex = int(np.flatnonzero(np.isnan(weights))[0])
-        raise surface.InputError(f"vertex group '{patch.group}': the weight of vertex {vertex} is not a number")
+        raise surface.InputError(
+            say(
+                "vertex group '{group}': the weight of vertex {vertex} is not a number",
+                group=patch.group,
+                vertex=vertex,
+            )
+        )
     lowest = 0.0 if patch.weights_as_values else threshold
     vertices = np.flatnonzero((weights > 0) & (weights >= np.float32(lowest)))
     values = weights[vertices].astype(np.float64) if patch.weights_as_values else patch.value

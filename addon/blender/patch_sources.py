@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
+from ..language import say
 from . import meshes, sessions
 
 MOST = 64  # patches made at once: more are a mistake, such as colours that blend into each other
@@ -24,13 +25,14 @@ def border_loops(obj: bpy.types.Object) -> Sets:
     """The vertices of every border. Raises InputError when the mesh is closed or has too many borders."""
     offsets, vertices = sessions.open_session(obj).mesh.border_loops()
     loops = np.split(np.asarray(vertices), offsets[1:-1]) if len(offsets) > 1 else []
-    return _require_some(loops, f"border loops of mesh '{obj.data.name}'")
+    return _require_some(loops, say("border loops of mesh '{mesh}'", mesh=obj.data.name))
 
 
 def pieces(obj: bpy.types.Object) -> Sets:
     """The vertices of every connected piece. Raises InputError when there are none or too many."""
     labels = np.zeros(len(obj.data.vertices), np.int64)
-    return _require_some(islands(labels, meshes.read_edges(obj.data)), f"connected pieces of mesh '{obj.data.name}'")
+    found = islands(labels, meshes.read_edges(obj.data))
+    return _require_some(found, say("connected pieces of mesh '{mesh}'", mesh=obj.data.name))
 
 
 def attribute_islands(obj: bpy.types.Object, name: str, background: bool) -> Sets:
@@ -45,7 +47,7 @@ def attribute_islands(obj: bpy.types.Object, name: str, background: bool) -> Set
     if background:
         values[values == np.bincount(values).argmax()] = -1
     labels = _to_vertices(mesh, mesh.attributes[name].domain, values)
-    return _require_some(islands(labels, meshes.read_edges(mesh)), f"islands of attribute '{name}'")
+    return _require_some(islands(labels, meshes.read_edges(mesh)), say("islands of attribute '{name}'", name=name))
 
 
 def islands(labels: NDArray[np.int64], edges: NDArray[np.int32]) -> Sets:
@@ -70,11 +72,18 @@ def _read(mesh: bpy.types.Mesh, name: str) -> NDArray[np.generic]:
     """(N,) or (N, 4) as stored."""
     attribute = mesh.attributes.get(name)
     if attribute is None:
-        missing = f"attribute '{name}'" if name else "color attribute of its own: name an attribute"
-        raise library.load().InputError(f"mesh '{mesh.name}' has no {missing}")
+        if name:
+            missing = say("mesh '{mesh}' has no attribute '{name}'", mesh=mesh.name, name=name)
+        else:
+            missing = say("mesh '{mesh}' has no color attribute of its own: name an attribute", mesh=mesh.name)
+        raise library.load().InputError(missing)
     if attribute.data_type not in _CHANNELS:
         raise library.load().InputError(
-            f"attribute '{name}' is of type {attribute.data_type}: colors, integers, booleans and floats have islands"
+            say(
+                "attribute '{name}' is of type {type}: colors, integers, booleans and floats have islands",
+                name=name,
+                type=attribute.data_type,
+            )
         )
     key, channels, kind = _CHANNELS[attribute.data_type]
     values = np.empty(len(attribute.data) * channels, kind)
@@ -109,7 +118,14 @@ def _to_vertices(mesh: bpy.types.Mesh, domain: str, values: NDArray[np.int64]) -
 
 def _require_some(sets: Sets, what: str) -> Sets:
     if not sets:
-        raise library.load().InputError(f"there are no {what}")
+        raise library.load().InputError(say("there are no {what}", what=what))
     if len(sets) > MOST:
-        raise library.load().InputError(f"there are {len(sets)} {what}, more than the {MOST} that become patches")
+        raise library.load().InputError(
+            say(
+                "there are {count} {what}, more than the {most} that become patches",
+                count=len(sets),
+                what=what,
+                most=MOST,
+            )
+        )
     return sets

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
+from ..language import say
 from . import groups, meshes, painting, preferences, sessions, settings
 
 
@@ -83,10 +84,11 @@ def record_facts(obj: bpy.types.Object, mesh: Any, painted: Sequence[Any]) -> No
 def _problems(fact: Any, names: Sequence[str]) -> list[str]:
     """What keeps a patch from being one disc, or one closed line, apart from all others."""
     if not fact.vertices:
-        return ["Empty: no weight in the vertex group reaches the threshold"]
-    overlaps = [f"Overlaps {', '.join(repr(names[other]) for other in fact.overlaps)}"] if fact.overlaps else []
+        return [say("Empty: no weight in the vertex group reaches the threshold")]
+    others = ", ".join(repr(names[other]) for other in fact.overlaps)
+    overlaps = [say("Overlaps {others}", others=others)] if others else []
     if fact.components > 1:
-        return [*overlaps, f"Not connected: {fact.components} pieces"]
+        return [*overlaps, say("Not connected: {count} pieces", count=fact.components)]
     return overlaps + ([] if fact.disc else _why_no_disc(fact))
 
 
@@ -94,9 +96,11 @@ def _why_no_disc(fact: Any) -> list[str]:
     """Of a connected patch. A closed line without faces, such as a border of the mesh, is as good as a disc."""
     if not fact.faces:
         closed = fact.edges == fact.vertices
-        return [] if closed else ["Not a disc: it covers no face, so the field is steep around it"]
+        return [] if closed else [say("Not a disc: it covers no face, so the field is steep around it")]
     if not fact.manifold:
-        return ["Not a disc: faces meet in a single vertex, or more than two in an edge"]
+        return [say("Not a disc: faces meet in a single vertex, or more than two in an edge")]
     if fact.euler_characteristic + fact.border_loops == 2 and fact.border_loops != 1:
-        return ["Not a disc: it has no border" if not fact.border_loops else f"Not a disc: {fact.border_loops} borders"]
-    return ["Not a disc: it has a handle, or edges without a face"]
+        if not fact.border_loops:
+            return [say("Not a disc: it has no border")]
+        return [say("Not a disc: {count} borders", count=fact.border_loops)]
+    return [say("Not a disc: it has a handle, or edges without a face")]

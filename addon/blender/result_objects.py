@@ -11,6 +11,7 @@ from __future__ import annotations
 import bpy
 
 from .. import library
+from ..language import say
 from . import settings as line_settings
 
 TYPES = ("CURVE", "MESH", "CURVES")
@@ -49,9 +50,9 @@ def require_source(result: bpy.types.Object) -> bpy.types.Object:
     """The mesh object of a result that may be changed. Raises the library's InputError."""
     note = result.dirichlet_isolines
     if note.source is None:
-        raise library.load().InputError(f"object '{result.name}' has no mesh object that it was made of")
+        raise library.load().InputError(say("object '{name}' has no mesh object that it was made of", name=result.name))
     if note.locked:
-        raise library.load().InputError(f"object '{result.name}' is locked: switch off Lock first")
+        raise library.load().InputError(say("object '{name}' is locked: switch off Lock first", name=result.name))
     return note.source
 
 

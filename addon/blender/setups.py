@@ -15,6 +15,7 @@ from typing import Any
 import bpy
 
 from .. import library
+from ..language import say
 from . import looks, settings
 
 Setup = dict[str, Any]  # by the name of the setting; not all need be there
@@ -45,10 +46,10 @@ def load(path: Path) -> Setup:
         setup = ast.literal_eval(path.read_text(encoding="utf-8"))
         if isinstance(setup, dict):
             return setup
-        reason = "it does not hold settings"
+        reason = say("it does not hold settings")
     except (OSError, SyntaxError, ValueError) as error:
         reason = str(error)
-    raise library.load().InputError(f"preset '{path.stem}' cannot be read: {reason}")
+    raise library.load().InputError(say("preset '{name}' cannot be read: {reason}", name=path.stem, reason=reason))
 
 
 def save(setup: Setup, path: Path) -> None:
@@ -64,11 +65,13 @@ def save(setup: Setup, path: Path) -> None:
 def _require(group: bpy.types.PropertyGroup, name: str, value: Any) -> None:
     found = group.bl_rna.properties.get(name) if isinstance(name, str) else None
     if found is None or found.type not in settings.KINDS:
-        raise library.load().InputError(f"there is no setting {name!r}: the preset is of another version")
+        raise library.load().InputError(
+            say("there is no setting {name!r}: the preset is of another version", name=name)
+        )
     length = getattr(found, "array_length", 0)
     values = value if length and isinstance(value, tuple) else (value,)
     right = len(values) == (length or 1) and all(type(one) in settings.KINDS[found.type] for one in values)
     if found.type == "ENUM":
         right = right and value in found.enum_items
     if not right or (name == "ramp_stops" and not looks.is_look(value)):
-        raise library.load().InputError(f"setting '{name}' cannot be {value!r}")
+        raise library.load().InputError(say("setting '{name}' cannot be {value!r}", name=name, value=value))

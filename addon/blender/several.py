@@ -12,6 +12,7 @@ from typing import NamedTuple
 import bpy
 
 from .. import library
+from ..language import say
 from . import field_task, line_task, meshes, pipeline, result_objects, sessions
 from .work import Held, Step, Work
 
@@ -42,9 +43,12 @@ def solve_fields(objects: Sequence[bpy.types.Object]) -> Work:
     made = [pipeline.write_field(obj, outcome) for obj, outcome in zip(owners, outcomes)]
     reports = [result.field.report for result in made]
     seconds = sum(report.total_seconds for report in reports)
-    summary = (
-        f"{len(made)} fields: {sum(report.unknowns for report in reports)} of "
-        f"{sum(report.vertices for report in reports)} vertices solved in {1000 * seconds:.1f} ms"
+    summary = say(
+        "{count} fields: {unknowns} of {vertices} vertices solved in {milliseconds:.1f} ms",
+        count=len(made),
+        unknowns=sum(report.unknowns for report in reports),
+        vertices=sum(report.vertices for report in reports),
+        milliseconds=1000 * seconds,
     )
     return Made(made, summary if len(made) > 1 else reports[0].summary(), (*warnings, *_warnings(owners, made)))
 
@@ -61,10 +65,10 @@ def make_isolines(objects: Sequence[bpy.types.Object]) -> Work:
             outcomes.append((yield Step(one.name, (number + 0.3) / len(held), partial(task.compute, values))))
     objects = [one.find() for one in held]
     made = [line_task.write(obj, outcome, result_objects.find_unlocked(obj)) for obj, outcome in zip(objects, outcomes)]
-    count = sum(len(result.lines) for result in made)
+    lines = sum(len(result.lines) for result in made)
     closed = sum(int(result.lines.closed.sum()) for result in made)
-    summary = f"{count} isolines on {len(made)} objects, {closed} closed" if len(made) > 1 else made[0].summary
-    return Made(made, summary, tuple(_warnings(objects, made)))
+    summary = say("{lines} isolines on {count} objects, {closed} closed", lines=lines, count=len(made), closed=closed)
+    return Made(made, summary if len(made) > 1 else made[0].summary, tuple(_warnings(objects, made)))
 
 
 def _one_per_mesh(objects: Iterable[bpy.types.Object]) -> tuple[list[bpy.types.Object], list[str]]:
@@ -75,7 +79,12 @@ def _one_per_mesh(objects: Iterable[bpy.types.Object]) -> tuple[list[bpy.types.O
         first = owner.setdefault(obj.data, obj)
         if first != obj:
             warnings.append(
-                f"'{first.name}' and '{obj.name}' share mesh '{obj.data.name}': the patches of '{first.name}' were used"
+                say(
+                    "'{first}' and '{other}' share mesh '{mesh}': the patches of '{first}' were used",
+                    first=first.name,
+                    other=obj.name,
+                    mesh=obj.data.name,
+                )
             )
     return list(owner.values()), warnings
 
@@ -88,7 +97,7 @@ def _naming(name: str, held: Sequence[Held]) -> Iterator[None]:
     except library.load().DirichletError as error:
         if len(held) == 1 or f"object '{name}'" in str(error):
             raise
-        raise type(error)(f"object '{name}': {error}") from error
+        raise type(error)(say("object '{name}': {reason}", name=name, reason=error)) from error
 
 
 def _warnings(objects: Sequence[bpy.types.Object], made: Iterable) -> Iterator[str]:

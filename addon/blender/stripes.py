@@ -8,6 +8,7 @@ import bpy
 import numpy as np
 
 from .. import library
+from ..language import say
 from . import levels, line_task, material, stripe_nodes
 
 _MIX = "Dirichlet Stripe Color"
@@ -81,7 +82,11 @@ def _settings(obj: bpy.types.Object) -> dict[str, float]:
     options, values = levels.read_options(obj.dirichlet), line_task.read_values(obj)
     if options.mode not in ("EVEN", "STEP"):
         raise library.load().InputError(
-            f"stripes are evenly spaced, the levels of object '{obj.name}' are not: choose Even or Step for its Levels"
+            say(
+                "stripes are evenly spaced, the levels of object '{object}' are not: choose Even or Step for its "
+                "Levels",
+                object=obj.name,
+            )
         )
     field_range = float(np.fmin.reduce(values)), float(np.fmax.reduce(values))
     options.choose(*field_range)  # refuses what cannot be drawn

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 import bpy
 
 from .. import library
+from ..language import say
 from . import meshes
 
 Progress = Callable[[float], None]  # called with the part done, from 0 to 1
@@ -70,10 +71,14 @@ class Held:
         objects = bpy.data.objects
         obj = objects.get((self.name, None)) or next((o for o in objects if o.as_pointer() == self._address), None)
         if obj is None:
-            raise library.load().InputError(f"object '{self.name}' was removed while it was being worked on")
+            raise library.load().InputError(
+                say("object '{name}' was removed while it was being worked on", name=self.name)
+            )
         meshes.require_mesh(obj)
         if self._arrays and not self._arrays.same(meshes.read_arrays(obj.data)):
-            raise library.load().InputError(f"the mesh of object '{self.name}' changed while it was being worked on")
+            raise library.load().InputError(
+                say("the mesh of object '{name}' changed while it was being worked on", name=self.name)
+            )
         return obj
 
     def keep(self, arrays: meshes.Arrays) -> None:

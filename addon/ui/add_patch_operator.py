@@ -5,6 +5,7 @@ import bpy
 from bpy.props import FloatProperty, FloatVectorProperty, IntProperty
 
 from .. import library
+from ..language import label, say
 from . import outline
 from .common import poll_mesh
 from .pointer import Pointer
@@ -50,7 +51,7 @@ class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
         except library.refusals() as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self.report({"INFO"}, f"A patch of {count} vertices, radius {self.radius:.4g}")
+        self.report({"INFO"}, say("A patch of {count} vertices, radius {radius:.4g}", count=count, radius=self.radius))
         return {"FINISHED"}
 
     def invoke(self, context, event):
@@ -63,7 +64,7 @@ class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
         self._pointer = Pointer(context.area, context.region, event)
         self._hit = self._pointer.hit(context)
         if self._hit is None:
-            self.report({"WARNING"}, f"There is nothing of '{obj.name}' under the pointer")
+            self.report({"WARNING"}, say("There is nothing of '{object}' under the pointer", object=obj.name))
             return {"CANCELLED"}
         try:
             self._disc = discs.Disc(obj, self._hit.location, self._hit.face)
@@ -105,8 +106,11 @@ class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
     def _show(self) -> None:
         self._outline.set(*self._disc.outline())
         self._pointer.area.header_text_set(
-            f"Patch of {len(self._disc.vertices)} vertices, radius {self._disc.radius:.4g}.   "
-            "Drag: radius   Release: add   Esc, right button: cancel"
+            label(
+                "Patch of {count} vertices, radius {radius:.4g}   Drag: radius   Release: add   Esc, right button: no",
+                count=len(self._disc.vertices),
+                radius=self._disc.radius,
+            )
         )
         self._pointer.area.tag_redraw()
 

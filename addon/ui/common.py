@@ -7,6 +7,7 @@ import bpy
 
 from ..blender.names import FIELD
 from ..blender.result_objects import is_result
+from ..language import say
 
 _MODES = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX")
 
@@ -15,11 +16,11 @@ def poll_mesh(cls: type[bpy.types.Operator], context: bpy.types.Context, modes: 
     """Whether the active object is a mesh that can be changed now; else says what to do."""
     obj = context.active_object
     if obj is None or obj.type != "MESH":
-        cls.poll_message_set("Select a mesh object first")
+        cls.poll_message_set(say("Select a mesh object first"))
     elif context.mode not in modes:
-        cls.poll_message_set("Go to Object, Weight Paint or Vertex Paint mode first")
+        cls.poll_message_set(say("Go to Object, Weight Paint or Vertex Paint mode first"))
     elif not is_local(obj):
-        cls.poll_message_set("The object is linked from another file: make it and its data local first")
+        cls.poll_message_set(say("The object is linked from another file: make it and its data local first"))
     else:
         return True
     return False
@@ -42,7 +43,7 @@ def poll_patch(cls: type[bpy.types.Operator], context: bpy.types.Context) -> boo
     settings = context.active_object.dirichlet
     if 0 <= settings.active_patch < len(settings.patches):
         return True
-    cls.poll_message_set("Select a patch in the list first")
+    cls.poll_message_set(say("Select a patch in the list first"))
     return False
 
 
@@ -50,7 +51,7 @@ def poll_field(cls: type[bpy.types.Operator], context: bpy.types.Context) -> boo
     """Whether the mesh carries a field; else says what to do."""
     if FIELD in context.active_object.data.attributes:
         return True
-    cls.poll_message_set("Solve Field first")
+    cls.poll_message_set(say("Solve Field first"))
     return False
 
 

@@ -8,6 +8,7 @@ from bpy.props import BoolProperty, IntProperty, StringProperty
 
 from .. import library
 from ..blender import preferences
+from ..language import label
 from .common import report_made
 
 _SLOW = 50_000  # vertices from which an operator may take half a second
@@ -111,7 +112,9 @@ class Computing:
     def _show_progress(self, context):
         step, seconds = self._background.step, perf_counter() - self._begun
         context.window_manager.progress_update(step.part)
-        context.workspace.status_text_set(f"{self.bl_label}: {step.name}, {seconds:.0f} s     Esc: Cancel")
+        what = bpy.app.translations.pgettext_iface(self.bl_label, "Operator")
+        text = label("{what}: {name}, {seconds:.0f} s     Esc: Cancel", what=what, name=step.name, seconds=seconds)
+        context.workspace.status_text_set(text)
 
     def _refuse(self, error):
         self.report({"ERROR"}, str(error))
@@ -133,8 +136,10 @@ class DIRICHLET_OT_ask_first(bpy.types.Operator):
 
     def draw(self, context):
         column = self.layout.column(align=True)
-        column.label(text=f"{self.vertices:,} vertices", icon="MESH_DATA")
-        column.label(text=f"About {self.memory / 1000:.1f} GB of memory will be needed", icon="MEMORY")
+        column.label(text=label("{vertices:,} vertices", vertices=self.vertices), icon="MESH_DATA")
+        column.label(
+            text=label("About {gigabytes:.1f} GB of memory will be needed", gigabytes=self.memory / 1000), icon="MEMORY"
+        )
         column.label(text="Esc cancels while it computes", icon="EVENT_ESC")
 
     def execute(self, context):

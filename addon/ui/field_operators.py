@@ -6,6 +6,7 @@ import bpy
 from .. import library
 from ..blender import expected_memory, material, preferences
 from ..blender.names import FIELD
+from ..language import say
 from . import viewport
 from .common import chosen_meshes, poll_field, poll_mesh
 from .computing import Computing
@@ -26,7 +27,7 @@ class DIRICHLET_OT_solve_field(Computing, bpy.types.Operator):
         if not poll_mesh(cls, context):
             return False
         if not _is_painted(context.active_object):
-            cls.poll_message_set("Add a patch first: paint a vertex group and press + in the list of patches")
+            cls.poll_message_set(say("Add a patch first: paint a vertex group and press + in the list of patches"))
             return False
         return True
 
@@ -105,7 +106,7 @@ class DIRICHLET_OT_restore_materials(bpy.types.Operator):
         if not poll_mesh(cls, context):
             return False
         if not material.hides_others(context.active_object):
-            cls.poll_message_set("The field's material covers no other")
+            cls.poll_message_set(say("The field's material covers no other"))
             return False
         return True
 

@@ -3,6 +3,8 @@
 
 import bpy
 
+from ..language import label
+
 _WIDE = 360  # width of the sidebar, in units of the interface, from which there is room for counts and number fields
 
 
@@ -19,14 +21,14 @@ class DIRICHLET_UL_patches(bpy.types.UIList):
         _cell(cells, 0.8).prop(item, "color", text="")
         name = cells.row()
         name.alert = missing
-        name.label(text=item.group or "no group", icon="ERROR" if missing else "NONE", translate=False)
+        name.label(text=item.group or label("no group"), icon="ERROR" if missing else "NONE", translate=False)
         if item.problem and not missing:
             warning = cells.operator("dirichlet.check_patches", text="", icon="ERROR", emboss=False)
             warning.index = index
         if wide:
             _label(cells, 3.0, f"{item.vertices:,}" if item.vertices else "")
         if item.weights_as_values:
-            _label(cells, 3.0 if wide else 2.2, "weights")
+            _label(cells, 3.0 if wide else 2.2, label("weights"))
         elif wide:
             _cell(cells, 3.6).prop(item, "value", text="", emboss=False)
         else:  # a number field cuts off digits here; there is one below the list

@@ -5,6 +5,7 @@ import bpy
 
 from .. import library
 from ..blender import material, result_objects
+from ..language import label
 from .common import write_sentence
 from .line_layout import draw_line_settings, properties
 from .lists import draw_patch_list
@@ -53,7 +54,7 @@ def _draw_patch(layout: bpy.types.UILayout, context: bpy.types.Context, patch: b
     if patch.problem:
         write_sentence(layout, context, patch.problem, "ERROR")
     elif patch.vertices:
-        layout.label(text=f"{patch.vertices:,} vertices", icon="CHECKMARK")
+        layout.label(text=label("{vertices:,} vertices", vertices=patch.vertices), icon="CHECKMARK")
     if not patch.weights_as_values:
         properties(layout).prop(patch, "value")
 
@@ -144,25 +145,27 @@ class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
     def draw(self, context):
         layout, results = self.layout, context.active_object.dirichlet.results
         rows = [
-            ("Connectivity", f"{results.connectivity_ms:.2f} ms"),
-            ("Solver", f"{results.solver_ms:.2f} ms"),
-            ("Isolines", f"{results.isolines_ms:.2f} ms" if results.extracted else "not made yet"),
-            ("Vertices", f"{results.vertices:,}"),
-            ("Painted", f"{results.painted:,}"),
-            ("Unknowns", f"{results.unknowns:,}"),
-            ("Residual", f"{results.residual:.1e}"),
-            ("Field", f"{results.minimum:.6g} to {results.maximum:.6g}"),
+            (label("Connectivity"), f"{results.connectivity_ms:.2f} ms"),
+            (label("Solver"), f"{results.solver_ms:.2f} ms"),
+            (label("Isolines"), f"{results.isolines_ms:.2f} ms" if results.extracted else label("not made yet")),
+            (label("Vertices"), f"{results.vertices:,}"),
+            (label("Painted"), f"{results.painted:,}"),
+            (label("Unknowns"), f"{results.unknowns:,}"),
+            (label("Residual"), f"{results.residual:.1e}"),
+            (label("Field"), label("{low:.6g} to {high:.6g}", low=results.minimum, high=results.maximum)),
         ]
         if results.undefined:
-            rows.append(("Undefined", f"{results.undefined:,}"))
+            rows.append((label("Undefined"), f"{results.undefined:,}"))
         if results.extracted:
-            rows.append(("Lines", f"{results.lines} at {results.levels} levels"))
-            rows.append(("Closed / open", f"{results.closed} / {results.lines - results.closed}"))
+            rows.append(
+                (label("Lines"), label("{lines} at {levels} levels", lines=results.lines, levels=results.levels))
+            )
+            rows.append((label("Closed / open"), f"{results.closed} / {results.lines - results.closed}"))
         table = layout.split(factor=0.45)
         names, numbers = table.column(align=True), table.column(align=True)
         for name, number in rows:
-            names.label(text=name)
-            numbers.label(text=number)
+            names.label(text=name, translate=False)
+            numbers.label(text=number, translate=False)
         warnings = results.field_warnings.splitlines()
         warnings += results.isoline_warnings.splitlines() if results.extracted else []
         for warning in warnings:

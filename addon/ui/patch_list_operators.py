@@ -5,6 +5,7 @@ import bpy
 from bpy.props import EnumProperty, IntProperty
 
 from .. import library
+from ..language import say
 from . import callbacks
 from .common import poll_mesh, poll_patch
 
@@ -64,7 +65,14 @@ class DIRICHLET_OT_patch_duplicate(_RowOperator, bpy.types.Operator):
         obj = context.active_object
         group = obj.dirichlet.patches[obj.dirichlet.active_patch].group
         if group not in obj.vertex_groups:
-            self.report({"ERROR"}, f"Object '{obj.name}' has no vertex group '{group}': pick one below the list first")
+            self.report(
+                {"ERROR"},
+                say(
+                    "Object '{object}' has no vertex group '{group}': pick one below the list first",
+                    object=obj.name,
+                    group=group,
+                ),
+            )
             return {"CANCELLED"}
         patches.duplicate(obj)
         return {"FINISHED"}
@@ -91,7 +99,7 @@ class DIRICHLET_OT_check_patches(bpy.types.Operator):
     def description(cls, context, properties):
         patches = context.active_object.dirichlet.patches
         if 0 <= properties.index < len(patches):
-            return f"{patches[properties.index].problem}. Click to check again"
+            return say("{problem}. Click to check again", problem=patches[properties.index].problem)
         return cls.bl_description
 
     def execute(self, context):

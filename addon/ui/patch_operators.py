@@ -4,6 +4,7 @@
 import bpy
 from bpy.props import StringProperty
 
+from ..language import say
 from .common import poll_mesh, poll_patch
 
 _ANY_MODE = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX", "EDIT_MESH")
@@ -31,7 +32,7 @@ class DIRICHLET_OT_patch_add_group(bpy.types.Operator):
         if not poll_mesh(cls, context):
             return False
         if not context.active_object.vertex_groups:
-            cls.poll_message_set("Paint weights first, or select vertices and use Add Patch from Selected")
+            cls.poll_message_set(say("Paint weights first, or select vertices and use Add Patch from Selected"))
             return False
         return True
 
@@ -40,7 +41,9 @@ class DIRICHLET_OT_patch_add_group(bpy.types.Operator):
 
         obj = context.active_object
         if self.group and self.group not in obj.vertex_groups:
-            self.report({"ERROR"}, f"Object '{obj.name}' has no vertex group '{self.group}'")
+            self.report(
+                {"ERROR"}, say("Object '{object}' has no vertex group '{group}'", object=obj.name, group=self.group)
+            )
             return {"CANCELLED"}
         names = [self.group] if self.group else _unlisted(obj)
         if not names:
@@ -73,7 +76,9 @@ class DIRICHLET_OT_patch_add_selected(bpy.types.Operator):
         if not selected.size:
             if editing:
                 bpy.ops.object.mode_set(mode="EDIT")
-            self.report({"ERROR"}, f"No vertex of '{obj.name}' is selected: select some in Edit Mode")
+            self.report(
+                {"ERROR"}, say("No vertex of '{object}' is selected: select some in Edit Mode", object=obj.name)
+            )
             return {"CANCELLED"}
         patches.add_group(obj, "Patch", selected)
         return {"FINISHED"}  # still outside: an undo step made in Edit Mode has no list of patches
@@ -111,7 +116,7 @@ class DIRICHLET_OT_patch_spread_values(bpy.types.Operator):
         if not poll_mesh(cls, context):
             return False
         if not any(patch.enabled for patch in context.active_object.dirichlet.patches):
-            cls.poll_message_set("Add a patch first")
+            cls.poll_message_set(say("Add a patch first"))
             return False
         return True
 

@@ -6,6 +6,7 @@ from bpy.props import BoolProperty, StringProperty
 
 from .. import library
 from ..blender.names import COLOR
+from ..language import say
 from .common import poll_mesh
 
 
@@ -28,7 +29,7 @@ class _SourceOperator:
             return {"CANCELLED"}
         for vertices in sets:
             patches.add_group(obj, name, vertices)
-        self.report({"INFO"}, f"{len(sets)} patches added" if len(sets) > 1 else "1 patch added")
+        self.report({"INFO"}, say("{count} patches added", count=len(sets)) if len(sets) > 1 else say("1 patch added"))
         return {"FINISHED"}
 
 

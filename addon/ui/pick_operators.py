@@ -5,6 +5,7 @@ import bpy
 from bpy.props import FloatVectorProperty
 
 from .. import library
+from ..language import label, say
 from . import pointer
 from .common import poll_field, poll_mesh
 
@@ -38,12 +39,12 @@ class DIRICHLET_OT_pick_level(bpy.types.Operator):
         except library.refusals() as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self.report({"INFO"}, f"Level {level:.7g}")
+        self.report({"INFO"}, say("Level {level:.7g}", level=level))
         return {"FINISHED"}
 
     def invoke(self, context, event):
         context.window.cursor_modal_set("EYEDROPPER")
-        context.workspace.status_text_set("Click: isoline through that point   Esc, right button: cancel")
+        context.workspace.status_text_set(label("Click: isoline through that point   Esc, right button: cancel"))
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
 
@@ -57,7 +58,9 @@ class DIRICHLET_OT_pick_level(bpy.types.Operator):
         place = pointer.find(context, event)
         hit = place.hit(context) if place else None
         if hit is None:
-            self.report({"WARNING"}, f"There is nothing of '{context.active_object.name}' under the pointer")
+            self.report(
+                {"WARNING"}, say("There is nothing of '{object}' under the pointer", object=context.active_object.name)
+            )
             return {"CANCELLED"}
         self.location = hit.location
         return self.execute(context)

@@ -8,6 +8,7 @@ from bl_operators.presets import AddPresetBase
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 
 from .. import library
+from ..language import say
 from .common import is_local, poll_mesh
 from .presets import PRESETS
 
@@ -34,9 +35,9 @@ class DIRICHLET_OT_copy_settings(bpy.types.Operator):
             return False
         targets = _targets(context)
         if not targets:
-            cls.poll_message_set("Select the meshes that are to get the settings, and last the one that has them")
+            cls.poll_message_set(say("Select the meshes that are to get the settings, and last the one that has them"))
         elif not all(is_local(obj) for obj in targets):
-            cls.poll_message_set("A selected mesh is linked from another file: make it and its data local first")
+            cls.poll_message_set(say("A selected mesh is linked from another file: make it and its data local first"))
         else:
             return True
         return False
@@ -115,7 +116,7 @@ class DIRICHLET_OT_preset_add(AddPresetBase, bpy.types.Operator):
         try:
             return super().execute(context)
         except OSError as error:
-            self.report({"ERROR"}, f"The preset cannot be written: {error}")
+            self.report({"ERROR"}, say("The preset cannot be written: {reason}", reason=error))
             return {"CANCELLED"}
 
     def add(self, context, filepath):

@@ -5,6 +5,7 @@ import bpy
 
 from .. import library
 from ..blender import result_objects
+from ..language import say
 from .common import report_made
 
 
@@ -21,7 +22,7 @@ class DIRICHLET_OT_result_refresh(bpy.types.Operator):
         if not _poll_result(cls, context):
             return False
         if context.object.dirichlet_isolines.locked:
-            cls.poll_message_set("These isolines are locked: switch off Lock first")
+            cls.poll_message_set(say("These isolines are locked: switch off Lock first"))
             return False
         return True
 
@@ -64,7 +65,7 @@ class DIRICHLET_OT_result_select_source(bpy.types.Operator):
         if not _poll_result(cls, context):
             return False
         if context.object.dirichlet_isolines.source.name not in context.view_layer.objects:
-            cls.poll_message_set("The mesh object is not in this view layer")
+            cls.poll_message_set(say("The mesh object is not in this view layer"))
             return False
         return True
 
@@ -75,11 +76,11 @@ class DIRICHLET_OT_result_select_source(bpy.types.Operator):
 
 def _poll_result(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
     if context.object is None or not result_objects.is_result(context.object):
-        cls.poll_message_set("Select isolines first: an object that Make Isolines made")
+        cls.poll_message_set(say("Select isolines first: an object that Make Isolines made"))
     elif context.mode != "OBJECT":
-        cls.poll_message_set("Go to Object Mode first")
+        cls.poll_message_set(say("Go to Object Mode first"))
     elif context.object.library or context.object.override_library:
-        cls.poll_message_set("The isolines are linked from another file: make them and their data local first")
+        cls.poll_message_set(say("The isolines are linked from another file: make them and their data local first"))
     else:
         return True
     return False

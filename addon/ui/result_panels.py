@@ -4,6 +4,7 @@
 import bpy
 
 from ..blender import result_objects
+from ..language import label
 from .line_layout import draw_line_settings, properties
 
 
@@ -45,8 +46,10 @@ def _draw_result(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
     column.prop(note, "follow")
     box = layout.column()
     box.enabled = not note.locked
-    whose = f"Settings of '{note.source.name}'" if settings != note else "Settings of its own"
-    box.label(text=whose, icon="LINKED" if settings != note else "UNLINKED")
+    whose = label("Settings of its own")
+    if settings != note:
+        whose = label("Settings of '{object}'", object=note.source.name)
+    box.label(text=whose, translate=False, icon="LINKED" if settings != note else "UNLINKED")
     draw_line_settings(box, settings)
 
 

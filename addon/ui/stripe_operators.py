@@ -5,6 +5,7 @@ import bpy
 
 from .. import library
 from ..blender import material
+from ..language import say
 from .common import poll_mesh
 
 
@@ -14,7 +15,7 @@ def _poll_stripes(cls: type[bpy.types.Operator], context: bpy.types.Context) -> 
     if not poll_mesh(cls, context):
         return False
     if not stripes.find(context.active_object):
-        cls.poll_message_set("The field's material has no stripes: press Add Stripes first")
+        cls.poll_message_set(say("The field's material has no stripes: press Add Stripes first"))
         return False
     return True
 
@@ -33,7 +34,7 @@ class DIRICHLET_OT_add_stripes(bpy.types.Operator):
         if not poll_mesh(cls, context):
             return False
         if not material.find(context.active_object):
-            cls.poll_message_set("Solve Field first: the stripes go into its material")
+            cls.poll_message_set(say("Solve Field first: the stripes go into its material"))
             return False
         return True
 
