@@ -3,6 +3,8 @@
 
 from contextlib import suppress
 
+import bpy
+
 from .. import library
 
 _NARROWEST = 0.001  # window that sliders make, as a fraction of the ramp
@@ -44,10 +46,18 @@ def follow_changed(note, context) -> None:
 
 def live_changed(settings, context) -> None:
     painting_changed(settings, context)
+    _push_undo_while_painting("Live")
 
 
 def preview_changed(settings, context) -> None:
     lines_changed(settings, context)
+    _push_undo_while_painting("Preview")
+
+
+def _push_undo_while_painting(step: str) -> None:
+    """Blender 3 remembers no property that is set in a paint mode, so that undoing the next stroke would unset it."""
+    if bpy.app.version < (4, 0) and not bpy.app.background and bpy.context.mode in ("PAINT_WEIGHT", "PAINT_VERTEX"):
+        bpy.ops.ed.undo_push(message=step)
 
 
 def bevel_depth_changed(settings, context) -> None:

@@ -14,3 +14,7 @@ def test_discs_are_dragged_onto_the_surface_and_levels_picked_from_it(archive):
 
 def test_large_meshes_are_computed_beside_the_interface(archive):
     run_inside("waiting", archive=archive, limit=300)
+
+
+def test_random_use_leaves_the_field_that_of_the_paint(archive):
+    run_inside("soak", archive=archive, limit=300)
