@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from .. import library
 from ..language import say
-from . import meshes, patches, sessions
+from . import evaluated, meshes, patches, sessions
 
 _MARGIN = 1.5  # of the radius: as far around are distances known, for the outline between the vertices
 _WHITE = np.ones((1, 4), np.float32)
@@ -26,7 +26,10 @@ class Disc:
 
     def __init__(self, obj: bpy.types.Object, location: Sequence[float], face: int | None = None) -> None:
         meshes.require_mesh(obj)
-        self._mesh: Any = sessions.open_session(obj).mesh
+        session = sessions.open_session(obj)
+        self._mesh: Any = session.mesh
+        deformed = obj.modifiers or obj.data.shape_keys
+        self._shown = evaluated.read_positions(obj, session.arrays) if deformed else None
         self._location, self._face = location, face
         self.radius = 0.0
         self.vertices: NDArray[np.int32] = np.zeros(0, np.int32)
@@ -38,10 +41,14 @@ class Disc:
         self.vertices = self._known[self._distances <= radius]
 
     def outline(self) -> tuple[Any, NDArray[np.float32]]:
-        """The library's Isolines of the distance at the radius, round holes too, and the colour (1, 4) to show them."""
+        """The library's Isolines of the distance at the radius, round holes too, and the colour (1, 4) to show them.
+
+        They lie on the surface as it was shown at first, unless modifiers change its faces.
+        """
         distances = np.full(self._mesh.vertex_count, self.radius * _MARGIN)
         distances[self._known] = self._distances
-        return library.load().isolines(self._mesh, distances, [self.radius]), _WHITE
+        lines = library.load().isolines(self._mesh, distances, [self.radius])
+        return lines if self._shown is None else library.load().move_lines(lines, self._shown), _WHITE
 
 
 def default_radius(obj: bpy.types.Object) -> float:

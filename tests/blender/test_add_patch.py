@@ -150,13 +150,18 @@ def test_a_ray_in_world_space_finds_the_place_on_the_mesh(picking):
     assert cast(picking, obj, (-5, -99, 14), (0, 1, 0)) is None
 
 
-def test_on_a_deformed_surface_the_place_is_that_of_the_mesh_below(picking):
-    obj = grid()
+def pose(obj):
+    """A shape key that shows the grid three times as wide, five above itself."""
     obj.shape_key_add(name="Basis")
     key = obj.shape_key_add(name="Moved")
     for point in key.data:
         point.co = (3 * point.co.x, point.co.y, 5)
     key.value = 1
+
+
+def test_on_a_deformed_surface_the_place_is_that_of_the_mesh_below(picking):
+    obj = grid()
+    pose(obj)
     hit = cast(picking, obj, (7.5, 2.5, 99), (0, 0, -1))
     assert tuple(hit.location) == pytest.approx((2.5, 2.5, 0), abs=1e-5)
     assert tuple(hit.shown) == pytest.approx((7.5, 2.5, 5), abs=1e-5)
@@ -195,6 +200,16 @@ def test_the_outline_is_where_the_distance_is_the_radius(discs):
     assert lines.closed[0]
     assert np.abs(distances - 6).max() < 0.1
     assert len(shape.vertices) == len(near(obj, (14.3, 15.2, 0), 6))
+
+
+def test_on_a_deformed_surface_the_outline_is_shown_where_the_surface_is(discs):
+    obj = grid(30, 30)
+    pose(obj)
+    shape = discs.Disc(obj, (14, 15, 0))
+    shape.resize(6.0)
+    points = shape.outline()[0].points / (3, 1, 1)
+    assert np.abs(np.linalg.norm(points - (14, 15, 5), axis=1) - 6).max() < 0.1
+    assert shape.vertices.tolist() == sorted(near(obj, (14, 15, 0), 6))
 
 
 def test_a_disc_not_added_leaves_nothing(discs):
