@@ -331,8 +331,8 @@ class TestThread:
         run_timer(live)
         assert_current(surface, grid_live)
 
-    def test_outdated_result_is_dropped_and_the_newest_wins(self, live, surface, grid_live, monkeypatch):
-        session = importlib.import_module(live.__name__.replace("live", "sessions")).Session
+    def test_outdated_result_is_dropped_and_the_newest_wins(self, addon, live, surface, grid_live, monkeypatch):
+        session = importlib.import_module(f"{addon.__name__}.blender.sessions").Session
         paint_now, painted = session.paint, []
 
         def slow_paint(self, painting, options):
