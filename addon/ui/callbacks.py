@@ -35,6 +35,10 @@ def lines_changed(settings, context) -> None:
         live.changed(source, live.Change.LINES)
 
 
+def is_other_mesh(note, obj) -> bool:
+    return obj.type == "MESH" and obj != note.id_data
+
+
 def follow_changed(note, context) -> None:
     """`followed` is never switched off: that would need to know of every result."""
     from ..blender import live

@@ -12,7 +12,10 @@ class DirichletIsolines(LineSettings, bpy.types.PropertyGroup):
     """Object.dirichlet_isolines"""
 
     source: PointerProperty(
-        type=bpy.types.Object, name="Source", description="Mesh object that these isolines are made of"
+        type=bpy.types.Object,
+        name="Source",
+        description="Mesh object that these isolines are made of",
+        poll=callbacks.is_other_mesh,
     )
     locked: BoolProperty(
         name="Lock",
