@@ -34,7 +34,7 @@ def read_patches(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = 
     patches = [patch for patch in settings.patches if patch.enabled]
     missing = [patch.group for patch in patches if patch.group not in obj.vertex_groups]
     if missing:
-        rest = say(" (and {count} more)", count=len(missing) - 1) if len(missing) > 1 else ""
+        rest = " " + say("(and {count} more)", count=len(missing) - 1) if len(missing) > 1 else ""
         raise surface.InputError(
             say(
                 "object '{object}' has no vertex group '{group}'{rest}: pick one in the list",

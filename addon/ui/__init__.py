@@ -28,6 +28,7 @@ from . import (
     stripe_operators,
     stripe_panel,
     tools,
+    translations,
 )
 
 _MODULES = (
@@ -52,7 +53,7 @@ _MODULES = (
     preview_panel,
     stripe_panel,
 )
-_HOOKED = (presets_panel, tools, handlers, preview, legend)  # register more than classes
+_HOOKED = (translations, presets_panel, tools, handlers, preview, legend)  # register more than classes
 _CLASSES = tuple(cls for module in _MODULES for cls in module.CLASSES)
 
 

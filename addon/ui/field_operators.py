@@ -17,8 +17,7 @@ class DIRICHLET_OT_solve_field(Computing, bpy.types.Operator):
     bl_label = "Solve Field"
     bl_description = (
         "Solve for the smooth field that takes the patches' values, on every selected mesh that has patches, and show "
-        "it: attributes dirichlet_field and dirichlet_color, and a material. The mesh keeps its own materials, the "
-        "field's covers them on this object"
+        "it: attributes dirichlet_field and dirichlet_color, and a material that covers the mesh's own on this object"
     )
     bl_options = {"REGISTER", "UNDO"}
 
