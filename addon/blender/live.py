@@ -19,7 +19,7 @@ import bpy
 from . import preferences, sessions
 from .follower import Change, Follower, Preview
 
-_INLINE = 50_000  # vertices up to which computing takes less than handing it to a thread
+_INLINE = 50_000  # vertices up to which a field takes less than handing it to a thread
 _POLL = 0.005  # seconds between looks at a brush or a thread that is busy
 
 _followers: dict[int, Follower] = {}  # by the address of the object
@@ -45,7 +45,7 @@ def catch_up(depsgraph: bpy.types.Depsgraph) -> None:
     for address, follower in list(_followers.items()):
         if follower.has_something_to_do():
             obj = _find(address, follower)
-            if obj and not _needs_thread(obj):
+            if obj and not _needs_thread(obj, follower.due()):
                 with _own_changes(evaluate=False):
                     _advance(follower, obj, None, depsgraph)
     _operator = _last_operator()
@@ -129,7 +129,7 @@ def _tick() -> float | None:
             follower.resting |= stroke_ended or perf_counter() - follower.noted >= preferences.get().live_delay
             if follower.has_something_to_do():
                 with _own_changes():
-                    _advance(follower, obj, _pool() if _needs_thread(obj) else None)
+                    _advance(follower, obj, _pool() if _needs_thread(obj, follower.due()) else None)
     _operator = _last_operator()
     return _POLL if any(follower.pending or follower.job for follower in _followers.values()) else None
 
@@ -147,9 +147,9 @@ def _advance(
         follower.finish(obj)
 
 
-def _needs_thread(obj: bpy.types.Object) -> bool:
-    """Without a window nobody waits for a redraw, and no timer runs."""
-    return not bpy.app.background and len(obj.data.vertices) > _INLINE
+def _needs_thread(obj: bpy.types.Object, what: Change) -> bool:
+    """Lines alone are quick. Without a window nobody waits for a redraw, and no timer runs."""
+    return not bpy.app.background and Change.FIELD in what and len(obj.data.vertices) > _INLINE
 
 
 def _find(address: int, follower: Follower) -> bpy.types.Object | None:

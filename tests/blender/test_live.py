@@ -322,7 +322,7 @@ class TestThread:
 
     @pytest.fixture(autouse=True)
     def _every_mesh_is_large(self, live, monkeypatch):
-        monkeypatch.setattr(live, "_needs_thread", lambda obj: True)
+        monkeypatch.setattr(live, "_needs_thread", lambda obj, what: True)
         set_delay(live, monkeypatch, 0.0)
 
     def test_result_is_fetched(self, live, surface, grid_live):
