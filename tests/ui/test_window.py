@@ -18,3 +18,7 @@ def test_large_meshes_are_computed_beside_the_interface(archive):
 
 def test_random_use_leaves_the_field_that_of_the_paint(archive):
     run_inside("soak", archive=archive, limit=300)
+
+
+def test_previewed_lines_show_where_they_should(archive):
+    run_inside("previewing", archive=archive, limit=300)

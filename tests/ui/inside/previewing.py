@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The previewed lines as pixels: where they show, where they are hidden, and what colour they have."""
+
+import math
+
+import bpy
+import numpy as np
+import scene
+import screen
+import steps
+from mathutils import Euler
+from steps import Waiting, picture, run
+
+BALL = "Ball"
+_seen: list[float] = []  # numbers of coloured pixels, by `count`
+
+
+def ball() -> bpy.types.Object:
+    return bpy.data.objects[BALL]
+
+
+def space() -> bpy.types.SpaceView3D:
+    return screen.viewport().spaces.active
+
+
+def look(distance: float, perspective: str) -> None:
+    """From above at a slant, and from as far as makes the ball, of radius 1, fill the picture."""
+    view = space().region_3d
+    view.view_perspective, view.view_distance, view.view_location = perspective, distance, (0, 0, 0)
+    view.view_rotation = Euler((math.radians(60), 0, 0)).to_quaternion()
+
+
+def colored() -> np.ndarray:
+    """(N, 3) the pixels of the viewport that are neither black, white nor grey, in the picture taken last."""
+    image = bpy.data.images.load(str(steps.pictures / "looked.png"), check_existing=False)
+    pixels = np.array(image.pixels[:], np.float32).reshape(*reversed(image.size), 4)
+    bpy.data.images.remove(image)
+    view = screen.region("WINDOW")
+    seen = pixels[view.y : view.y + view.height - 60, view.x : view.x + view.width, :3].reshape(-1, 3)
+    return seen[np.ptp(seen, axis=1) > 0.3]
+
+
+def count() -> Waiting:
+    """Adds the number of coloured pixels to the list of what was seen."""
+    yield 0.6
+    yield from picture("looked")
+    _seen.append(float(len(colored())))
+
+
+def start() -> Waiting:
+    """A white ball without shading, and nothing beside it."""
+    bpy.ops.object.delete()
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    scene.painted_sphere(5, BALL)
+    bpy.ops.dirichlet.solve_field()
+    ball().dirichlet.count, ball().dirichlet.preview_width = 7, 4
+    ball().select_set(False)
+    view = space()
+    view.shading.light, view.shading.color_type = "FLAT", "SINGLE"
+    view.shading.single_color = (1, 1, 1)
+    view.show_gizmo = view.show_region_toolbar = view.show_region_ui = False
+    for name in ("show_floor", "show_axis_x", "show_axis_y", "show_cursor", "show_text", "show_object_origins"):
+        setattr(view.overlay, name, False)
+    look(4, "ORTHO")
+    yield from count()
+    assert _seen == [0]
+
+
+def lines_show_where_no_surface_hides_them() -> Waiting:
+    ball().dirichlet.preview = True
+    yield from count()
+    ball().dirichlet.preview_xray = True
+    yield from count()
+    ball().dirichlet.preview_xray = False
+    front, all_around = _seen[-2:]
+    assert front > 5000
+    assert 1.3 * front < all_around < 2.5 * front
+
+
+def lines_are_whole_at_every_size_and_in_perspective() -> Waiting:
+    """A surface that shone through would take pixels from them; where the depth buffer is coarse, seen from clip ends
+    so far away, a little more of them may peep over the ball's rim."""
+    ball().dirichlet.preview_width = 1
+    for perspective in ("ORTHO", "PERSP"):
+        for size in (1, 1e-3, 300):
+            ball().scale = (size, size, size)
+            space().clip_start, space().clip_end = min(0.01, size / 10), max(1000, size * 20)
+            look(4 * size, perspective)
+            yield from count()
+        assert all(0.98 * _seen[-3] < seen < 1.2 * _seen[-3] for seen in _seen[-2:]), _seen
+    ball().scale = (1, 1, 1)
+    look(4, "ORTHO")
+
+
+def lines_have_the_color_of_their_level() -> Waiting:
+    settings = ball().dirichlet
+    settings.levels_mode, settings.levels_list, settings.preview_width = "LIST", "0.25", 16
+    yield from count()
+    ramp = ball().active_material.node_tree.nodes["Dirichlet Ramp"].color_ramp
+    linear = np.array(ramp.evaluate(0.25)[:3])
+    shown = np.where(linear < 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    assert np.abs(np.median(colored(), axis=0) - shown).max() < 0.02
+
+
+def lines_go_with_the_object_and_the_overlays() -> Waiting:
+    shown = _seen[-1]
+    for owner, name, off in (
+        (space().overlay, "show_overlays", False),
+        (ball(), "hide_viewport", True),
+        (space(), "show_object_viewport_mesh", False),
+        (ball().dirichlet, "preview", False),
+    ):
+        setattr(owner, name, off)
+        yield from count()
+        setattr(owner, name, not off)
+        yield from count()
+        assert _seen[-2:] == [0, shown], name
+
+
+def lines_show_in_every_mode() -> Waiting:
+    space().overlay.weight_paint_mode_opacity = 0
+    shown = _seen[-1]
+    for mode in ("WEIGHT_PAINT", "VERTEX_PAINT", "EDIT", "OBJECT"):
+        bpy.ops.object.mode_set(mode=mode)
+        yield from count()
+        assert _seen[-1] > 0.5 * shown, mode
+
+
+run(
+    start,
+    lines_show_where_no_surface_hides_them,
+    lines_are_whole_at_every_size_and_in_perspective,
+    lines_have_the_color_of_their_level,
+    lines_go_with_the_object_and_the_overlays,
+    lines_show_in_every_mode,
+)
