@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import bpy
 
@@ -41,16 +41,8 @@ def solve_fields(objects: Sequence[bpy.types.Object]) -> Work:
                 raise
     owners = [one.find() for one in held]
     made = [pipeline.write_field(obj, outcome) for obj, outcome in zip(owners, outcomes)]
-    reports = [result.field.report for result in made]
-    seconds = sum(report.total_seconds for report in reports)
-    summary = say(
-        "{count} fields: {unknowns} of {vertices} vertices solved in {milliseconds:.1f} ms",
-        count=len(made),
-        unknowns=sum(report.unknowns for report in reports),
-        vertices=sum(report.vertices for report in reports),
-        milliseconds=1000 * seconds,
-    )
-    return Made(made, summary if len(made) > 1 else reports[0].summary(), (*warnings, *_warnings(owners, made)))
+    summary = _summary([result.field.report for result in made])
+    return Made(made, summary, (*warnings, *_warnings(owners, made)))
 
 
 def make_isolines(objects: Sequence[bpy.types.Object]) -> Work:
@@ -69,6 +61,26 @@ def make_isolines(objects: Sequence[bpy.types.Object]) -> Work:
     closed = sum(int(result.lines.closed.sum()) for result in made)
     summary = say("{lines} isolines on {count} objects, {closed} closed", lines=lines, count=len(made), closed=closed)
     return Made(made, summary if len(made) > 1 else made[0].summary, tuple(_warnings(objects, made)))
+
+
+def _summary(reports: Sequence[Any]) -> str:
+    """One line on the fields of these SolveReports."""
+    values = {
+        "count": len(reports),
+        "unknowns": sum(report.unknowns for report in reports),
+        "vertices": sum(report.vertices for report in reports),
+        "milliseconds": 1000 * sum(report.total_seconds for report in reports),
+        "low": min(report.minimum for report in reports),
+        "high": max(report.maximum for report in reports),
+        "residual": max(report.relative_residual for report in reports),
+    }
+    if len(reports) > 1:
+        return say("{count} fields: {unknowns} of {vertices} vertices solved in {milliseconds:.1f} ms", **values)
+    return say(
+        "{unknowns} of {vertices} vertices solved in {milliseconds:.1f} ms, values {low:.6g} to {high:.6g}, "
+        "relative residual {residual:.1e}",
+        **values,
+    )
 
 
 def _one_per_mesh(objects: Iterable[bpy.types.Object]) -> tuple[list[bpy.types.Object], list[str]]:

@@ -100,7 +100,7 @@ class DIRICHLET_OT_check_patches(bpy.types.Operator):
         patches = context.active_object.dirichlet.patches
         if 0 <= properties.index < len(patches):
             return say("{problem}. Click to check again", problem=patches[properties.index].problem)
-        return cls.bl_description
+        return say(cls.bl_description)
 
     def execute(self, context):
         from ..blender import patches

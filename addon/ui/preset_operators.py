@@ -75,7 +75,7 @@ class DIRICHLET_OT_apply_preset(bpy.types.Operator):
 
     @classmethod
     def description(cls, context, properties):
-        return cls.bl_description if properties.filepath else PRESETS[properties.preset].description
+        return say(cls.bl_description if properties.filepath else PRESETS[properties.preset].description)
 
     @classmethod
     def poll(cls, context):

@@ -71,7 +71,7 @@ def test_descriptions_are_short_enough_to_be_shown_whole(addon):
 
 
 def test_labels_reports_and_refusals_are_german(in_german):
-    assert bpy.app.translations.pgettext_iface("Solve Field", "Operator") == "Feld berechnen"
+    assert bpy.app.translations.pgettext_iface("Solve Field", "Operator") == "Feld lösen"
     obj = grid()
     with pytest.raises(RuntimeError, match="Erst einen Fleck hinzufügen"):
         bpy.ops.dirichlet.solve_field()
