@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import levels, ramp
+from . import levels, live, ramp
 
 _STRIPES = 256
 _LABEL_HEIGHT = 0.06  # nearer than that, two labels would cover each other
@@ -30,14 +30,20 @@ def bar(obj: bpy.types.Object) -> tuple[Points, NDArray[np.float32]]:
 
 
 def ticks(obj: bpy.types.Object) -> Points:
-    """Pairs of points: a segment across the bar for every level in the field's range. None where levels are refused."""
-    results = obj.dirichlet.results
-    low, high = results.minimum, results.maximum
-    chosen = np.empty(0)
-    if low < high:
-        with suppress(library.LibraryMissingError), suppress(*library.refusals()):  # Make Isolines says so
-            chosen = levels.read_options(obj.dirichlet).choose(low, high)
+    """Pairs of points: a segment across the bar for every level in the field's range."""
+    low, high = obj.dirichlet.results.minimum, obj.dirichlet.results.maximum
+    chosen = _levels(obj, low, high) if low < high else np.empty(0)
     return _across((chosen[(chosen >= low) & (chosen <= high)] - low) / (high - low if low < high else 1.0))
+
+
+def _levels(obj: bpy.types.Object, low: float, high: float) -> NDArray[np.float64]:
+    """Those previewed, else those that the field's range alone decides, else none."""
+    preview = live.preview_of(obj)
+    if preview:
+        return preview.lines.levels
+    with suppress(library.LibraryMissingError), suppress(*library.refusals()):  # Make Isolines says so
+        return levels.read_options(obj.dirichlet).choose(low, high)
+    return np.empty(0)
 
 
 def shades(window: tuple[float, float]) -> Points:

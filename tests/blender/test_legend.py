@@ -39,6 +39,14 @@ def test_ticks_stand_at_the_levels_of_the_isolines(legend, sheet):
     assert np.allclose(heights(legend.ticks(sheet)), [0.5625, 0.6875, 0.8125, 0.9375])
 
 
+def test_ticks_are_the_levels_of_the_lines_previewed(addon, legend, sheet):
+    sheet.dirichlet.preview = True
+    sheet.dirichlet.levels_mode, sheet.dirichlet.levels_list = "LIST", "0, 1"
+    importlib.import_module(f"{addon.__name__}.blender.live").flush()
+    sheet.dirichlet.levels_list = "2"  # not previewed yet
+    assert np.allclose(heights(legend.ticks(sheet)), [0.25, 0.5])
+
+
 def test_levels_outside_of_the_range_have_no_tick(legend, sheet):
     sheet.dirichlet.levels_mode, sheet.dirichlet.levels_list = "LIST", "-2, 0, 1, 3.5"
     assert np.allclose(heights(legend.ticks(sheet)), [0.25, 0.5])
