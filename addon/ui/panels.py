@@ -87,7 +87,7 @@ class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
     def draw(self, context):
         layout, obj = self.layout, context.active_object
         settings = obj.dirichlet
-        row = layout.row()
+        row = layout.split(factor=0.6, align=True)
         row.scale_y = 1.4
         row.operator("dirichlet.solve_field", icon="SHADING_RENDERED")
         row.prop(settings, "live", toggle=True, icon="REC" if settings.live else "RADIOBUT_OFF")

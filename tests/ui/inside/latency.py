@@ -7,6 +7,7 @@ Medians of strokes painted with the mouse. The parts are those that the add-on m
 stroke is over ("wait") to "total"; "redraw" is how long Blender takes from there to have drawn it, here by software.
 """
 
+from collections.abc import Callable
 from statistics import median
 from time import perf_counter
 
@@ -20,19 +21,19 @@ from steps import Waiting, run, until, words
 _REPEATS = 5
 _SIZES = [int(word) for word in words] or [14_000, 125_000, 1_000_000]
 
-_drawn = [0.0]  # when the viewport was last drawn
+_drawn: list[dict[str, float]] = []  # parts of every update that was drawn, in seconds
+_shown = [0]  # versions of the preview
 _rows: list[tuple[str, list[dict[str, float]]]] = []
 
 
 def measure() -> Waiting:
-    note = lambda: _drawn.append(perf_counter())  # noqa: E731
-    bpy.types.SpaceView3D.draw_handler_add(note, (), "WINDOW", "POST_PIXEL")
+    bpy.types.SpaceView3D.draw_handler_add(_note_drawing, (), "WINDOW", "POST_PIXEL")
     for size in _SIZES:
         yield from add_sheet(size)
         _prepare()
-        yield from until(_is_drawn)
+        yield from until(lambda: _drawn and _is_quiet())
         vertices = f"{len(ball().data.vertices):,} vertices"
-        yield from _repeat(f"stroke, {vertices}", _stroke)
+        yield from _repeat(f"stroke, {vertices}", _stroke, last=True)
         yield from _repeat(f"window, {vertices}", _slide)
         ball().dirichlet.live = False  # so that nobody looks whether the paint has changed, too
         yield from _repeat("the same without Live", _slide)
@@ -70,23 +71,29 @@ def _slide(k: int) -> Waiting:
     yield 0
 
 
-def _repeat(name: str, change) -> Waiting:
+def _repeat(name: str, change: Callable[[int], Waiting], last: bool = False) -> Waiting:
+    """Takes the first update drawn after each change, or the last one, since Live may catch up under a brush."""
     samples = []
     for k in range(_REPEATS):
         yield 0.5
+        before = len(_drawn)
         yield from change(k)
-        yield from until(_is_drawn, 120)
-        samples.append(live.timings(ball()))
-        samples[-1]["redraw"] = next(moment for moment in _drawn if moment > _updated()) - _updated()
+        yield from until(lambda: len(_drawn) > before and _is_quiet(), 120)  # noqa: B023
+        samples.append(_drawn[-1 if last else before])
     _rows.append((name, samples))
 
 
-def _updated() -> float:
-    return live._followers[ball().as_pointer()].noted + live.timings(ball())["total"]
+def _note_drawing() -> None:
+    preview = live.preview_of(ball())
+    if preview and preview.version != _shown[-1]:
+        _shown.append(preview.version)
+        parts = live.timings(ball())
+        updated = live._followers[ball().as_pointer()].noted + parts["total"]
+        _drawn.append(parts | {"redraw": perf_counter() - updated})
 
 
-def _is_drawn() -> bool:
-    return not live.is_pending(ball()) and _drawn[-1] > _updated()
+def _is_quiet() -> bool:
+    return not live.is_pending(ball())
 
 
 run(measure, print_table)
