@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from .. import library
 from ..language import say
 
+_SPREADS = {"EQUAL_AREA": "equal_area_levels", "EQUAL_DISTANCE": "equal_distance_levels"}
+
 
 @dataclass(frozen=True)
 class LevelOptions:
@@ -28,12 +30,23 @@ class LevelOptions:
         """The window of values in a field that ranges from `low` to `high`; a list of levels has none of its own."""
         return (low, high) if self.mode == "LIST" or self.window is None else self.window
 
+    def choose_on(self, mesh, values: NDArray[np.floating]) -> NDArray[np.float64]:
+        """Ascending or as listed; mesh: the library's, values: (V,) of the field, not all NaN. Raises what `choose` and
+        the library's ways to spread levels over a surface raise."""
+        low, high = float(np.fmin.reduce(values)), float(np.fmax.reduce(values))
+        if self.mode not in _SPREADS:
+            return self.choose(low, high)
+        return getattr(library.load(), _SPREADS[self.mode])(mesh, values, self.count, *self.window_in(low, high))
+
     def choose(self, low: float, high: float) -> NDArray[np.float64]:
         """Ascending or as listed; `low` and `high` are the field's range, the window unless the user set another.
 
-        Raises InputError as the library's level helpers do, and for a list that is not of numbers.
+        Raises InputError as the library's level helpers do, for a list that is not of numbers, and for levels that
+        depend on the surface, too.
         """
         surface = library.load()
+        if self.mode in _SPREADS:
+            raise surface.InputError(say("levels at equal areas or distances depend on more than the field's range"))
         if self.mode == "LIST":
             return parse_levels(self.listed)
         low, high = self.window_in(low, high)

@@ -32,15 +32,15 @@ class LineTask:
         """values: (V,) as the mesh stores them, not all of them NaN. Raises the library's InputError."""
         self.clock.restart()
         ends = ramp.limits(values)
-        low, high = float(np.fmin.reduce(values)), float(np.fmax.reduce(values))
         surface = library.load()
-        lines = surface.isolines(self.mesh, values, self.options.choose(low, high))
+        lines = surface.isolines(self.mesh, values, self.options.choose_on(self.mesh, values))
         lines = self.shape.on_surface(self.mesh, lines)
         if self.positions is not None:
             lines = surface.move_lines(lines, self.positions)
         lines = self.shape.in_space(lines)
         self.clock.lap("isolines")
-        factors = self.shape.factors(lines.levels, self.options.window_in(low, high))
+        window = self.options.window_in(float(np.fmin.reduce(values)), float(np.fmax.reduce(values)))
+        factors = self.shape.factors(lines.levels, window)
         return LineOutcome(self, lines, self.table.apply(lines.levels, ends), factors)
 
 

@@ -3,19 +3,19 @@
 
 import bpy
 
-_OF_MODE = {"EVEN": ("count",), "STEP": ("step", "phase")}
+_OF_MODE = {"STEP": ("step", "phase")}
 
 
 def draw_line_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
     """settings: a LineSettings."""
     row = layout.row(align=True)
-    row.prop(settings, "levels_mode", expand=True)
+    row.prop(settings, "levels_mode", text="")
     row.operator("dirichlet.pick_level", text="", icon="EYEDROPPER")
     column = properties(layout, animated=True)
     if settings.levels_mode == "LIST":
         column.prop(settings, "levels_list")
     else:
-        for name in _OF_MODE[settings.levels_mode]:
+        for name in _OF_MODE.get(settings.levels_mode, ("count",)):
             column.prop(settings, name)
         properties(column).prop(settings, "window_auto")
         window = column.column(align=True)
@@ -36,6 +36,11 @@ def draw_line_shape(layout: bpy.types.UILayout, settings: bpy.types.PropertyGrou
     bevel = column.column(align=True)
     bevel.prop(settings, "bevel_low")
     bevel.prop(settings, "bevel_high")
+
+
+def draw_lock(layout: bpy.types.UILayout, note: bpy.types.PropertyGroup) -> None:
+    """note: a DirichletIsolines."""
+    layout.prop(note, "locked", text="", icon="LOCKED" if note.locked else "UNLOCKED")
 
 
 def properties(layout: bpy.types.UILayout, *, animated: bool = False) -> bpy.types.UILayout:

@@ -29,6 +29,12 @@ class LineSettings(ShapeSettings):
             ("EVEN", "Even", "So many levels, spread evenly inside the window"),
             ("STEP", "Step", "Multiples of a step inside the window, shifted by a phase"),
             ("LIST", "List", "The values listed"),
+            ("EQUAL_AREA", "Equal Areas", "So many levels, which cut the surface into strips of equal areas"),
+            (
+                "EQUAL_DISTANCE",
+                "Equal Distances",
+                "So many levels, from one of which to the next lines advance equally far on the surface, on average",
+            ),
         ),
         update=callbacks.lines_changed,
     )
@@ -126,4 +132,5 @@ class LineSettings(ShapeSettings):
         description="What the isolines are written as. A change replaces the object when they are next made, with its "
         "name, parent, collections and transform",
         items=_OUTPUTS if _CAN_MAKE_CURVES else _OUTPUTS[:2],
+        update=callbacks.lines_changed,
     )

@@ -7,7 +7,7 @@ from .. import library
 from ..blender import material, result_objects
 from ..language import label
 from .common import write_sentence
-from .line_layout import draw_line_settings, properties
+from .line_layout import draw_line_settings, draw_lock, properties
 from .lists import draw_patch_list
 from .presets_panel import DIRICHLET_PT_presets
 from .tools import ADD_PATCH
@@ -130,7 +130,7 @@ class DIRICHLET_PT_isolines(_Panel, bpy.types.Panel):
         bound = result_objects.find(context.active_object)
         if bound:
             row.prop(bound.dirichlet_isolines, "follow", text="", icon="LINKED")
-            row.prop(bound.dirichlet_isolines, "locked", text="", icon="LOCKED")
+            draw_lock(row, bound.dirichlet_isolines)
         draw_line_settings(layout, settings)
 
 

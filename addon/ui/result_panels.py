@@ -5,7 +5,7 @@ import bpy
 
 from ..blender import result_objects
 from ..language import label
-from .line_layout import draw_line_settings, properties
+from .line_layout import draw_line_settings, draw_lock, properties
 
 
 class _ResultPanel:
@@ -36,7 +36,7 @@ def _draw_result(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
     settings = result_objects.settings_of(result, note.source)
     row = layout.row(align=True)
     row.operator("dirichlet.result_refresh", icon="FILE_REFRESH")
-    row.prop(note, "locked", text="", icon="LOCKED" if note.locked else "UNLOCKED")
+    draw_lock(row, note)
     column = layout.column(align=True)
     column.operator("dirichlet.result_select_source", icon="RESTRICT_SELECT_OFF")
     column.operator("dirichlet.result_remove", icon="X")

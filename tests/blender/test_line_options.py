@@ -4,6 +4,7 @@
 import bpy
 import numpy as np
 import pytest
+from refusal import assert_refused
 from scene import field_of, library_mesh, painted_grid, painted_sphere
 
 OUTPUTS = ["CURVE", "MESH", *(["CURVES"] if "set_types" in bpy.types.Curves.bl_rna.functions else [])]
@@ -132,3 +133,23 @@ def turning(line):
     """The unit normal that a closed line runs around."""
     area = np.cross(line - line.mean(axis=0), np.roll(line, -1, axis=0) - line.mean(axis=0)).sum(axis=0)
     return area / np.linalg.norm(area)
+
+
+@pytest.mark.parametrize("mode", ["EQUAL_AREA", "EQUAL_DISTANCE"])
+def test_levels_are_spread_over_the_surface_inside_the_window(sphere, surface, mode):
+    settings = sphere.dirichlet
+    settings.levels_mode, settings.count = mode, 5
+    settings.window_low, settings.window_high = 0.25, 0.75
+    spread = {"EQUAL_AREA": surface.equal_area_levels, "EQUAL_DISTANCE": surface.equal_distance_levels}[mode]
+    expected = spread(library_mesh(surface, sphere), field_of(sphere), 5, 0.25, 0.75)
+    assert list(make(sphere)["dirichlet_level"]) == expected.tolist()
+    assert not np.allclose(np.diff(expected), np.diff(expected).mean())
+
+
+@pytest.mark.parametrize("mode", ["EQUAL_AREA", "EQUAL_DISTANCE"])
+def test_a_constant_field_has_no_levels_to_spread(mode):
+    obj = painted_grid()
+    obj.dirichlet.patches[1].value = 0.0
+    bpy.ops.dirichlet.solve_field()
+    obj.dirichlet.levels_mode = mode
+    assert_refused(bpy.ops.dirichlet.make_isolines, obj, "constant|the same|empty")
