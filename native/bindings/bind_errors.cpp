@@ -25,7 +25,9 @@ void bind_errors(py::module_& module) {
                            "The one family of errors of this package: one sentence, what and where.");
   bind<InputError>(module, "InputError", base, "An argument or a file is not what it has to be.");
   bind<TopologyError>(module, "TopologyError", base, "The pieces are valid but cannot form what was asked for.");
-  bind<SolverError>(module, "SolverError", base, "The linear system could not be solved to the promised residual.");
+  const py::object solver =
+      bind<SolverError>(module, "SolverError", base, "The linear system could not be solved to the promised residual.");
+  bind<CancelledError>(module, "CancelledError", solver, "Somebody asked for the work to stop.");
 }
 
 } // namespace dirichlet::bindings

@@ -52,9 +52,13 @@ std::vector<Index> copy(const Array<Index>& array) {
 std::unique_ptr<HarmonicSolver> make(const Mesh& mesh, const std::optional<Array<Index>>& painted,
                                      const std::string& method, const std::string& precision,
                                      std::optional<std::int64_t> memory_budget, std::optional<double> tolerance,
-                                     std::optional<Index> max_iterations) {
-  const SolverOptions options{named<Method>(kMethods, method), named<Precision>(kPrecisions, precision), memory_budget,
-                              tolerance, max_iterations};
+                                     std::optional<Index> max_iterations, const std::optional<CancelToken>& cancel) {
+  const SolverOptions options{named<Method>(kMethods, method),
+                              named<Precision>(kPrecisions, precision),
+                              memory_budget,
+                              tolerance,
+                              max_iterations,
+                              cancel.value_or(CancelToken())};
   const std::vector<Index> vertices = painted ? copy(*painted) : std::vector<Index>{};
   const py::gil_scoped_release release;
   if (!painted) return std::make_unique<HarmonicSolver>(mesh, options);
@@ -102,9 +106,14 @@ py::tuple matrix(const Mesh& mesh, const Array<Index>& painted) {
 } // namespace
 
 void bind_field(py::module_& module) {
+  py::class_<CancelToken>(module, "CancelToken")
+      .def(py::init())
+      .def("cancel", &CancelToken::cancel)
+      .def("reset", &CancelToken::reset)
+      .def_property_readonly("is_cancelled", &CancelToken::is_cancelled);
   py::class_<HarmonicSolver>(module, "HarmonicSolver")
       .def(py::init(&make), py::arg("mesh"), py::arg("vertices").noconvert(), py::arg("method"), py::arg("precision"),
-           py::arg("memory_budget"), py::arg("tolerance"), py::arg("max_iterations"))
+           py::arg("memory_budget"), py::arg("tolerance"), py::arg("max_iterations"), py::arg("cancel"))
       .def("paint", &paint, py::arg("vertices").noconvert(), py::arg("values"), py::arg("source"))
       .def("solve", &solve, py::arg("values"), py::arg("source"));
   module.def("dirichlet_laplacian", &matrix, py::arg("mesh"), py::arg("vertices").noconvert());

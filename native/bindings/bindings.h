@@ -5,6 +5,7 @@
 
 namespace dirichlet::bindings {
 
+void bind_build(pybind11::module_& module);
 void bind_errors(pybind11::module_& module);
 void bind_mesh(pybind11::module_& module);
 void bind_field(pybind11::module_& module);

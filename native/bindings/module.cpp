@@ -5,6 +5,7 @@
 PYBIND11_MODULE(_native, module) {
   module.doc() = "Compiled half of dirichlet_surface; use the package, which checks and documents its arguments.";
   using namespace dirichlet::bindings;
+  bind_build(module);
   bind_errors(module);
   bind_mesh(module);
   bind_field(module);

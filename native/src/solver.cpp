@@ -26,7 +26,7 @@ std::unique_ptr<Solver> choose_solver(SparseMatrix&& K, const SolverOptions& opt
   if (options.method == Method::least_squares_cg) return make_least_squares_solver(std::move(K), options);
   if (options.method == Method::multigrid) return make_multigrid_solver(std::move(K), options);
   const std::int64_t budget = options.memory_budget.value_or(physical_memory() / 2);
-  const Analysis analysis = analyse_pattern(K);
+  const Analysis analysis = analyse_pattern(K, options.cancel);
   if (options.method == Method::automatic &&
       direct_solver_bytes(*analysis.symbolic, K.nonZeros(), options.precision) > budget)
     return make_multigrid_solver(std::move(K), options, analysis.seconds);
@@ -37,6 +37,7 @@ std::unique_ptr<Solver> choose_solver(SparseMatrix&& K, const SolverOptions& opt
 
 std::unique_ptr<Solver> make_solver(SparseMatrix&& K, const SolverOptions& options) {
   check_options(options);
+  options.cancel.check();
   return with_memory(static_cast<Index>(K.rows()), [&] { return choose_solver(std::move(K), options); });
 }
 

@@ -32,4 +32,10 @@ class SolverError : public DirichletError {
   using DirichletError::DirichletError;
 };
 
+/// Somebody asked for the work to stop: see CancelToken.
+class CancelledError : public SolverError {
+ public:
+  using SolverError::SolverError;
+};
+
 } // namespace dirichlet

@@ -91,7 +91,7 @@ class HarmonicSolver {
   /// \throws InputError   a wrong length, a number that is not finite, one vertex with two values; names it. The last
   ///                      painting stays.
   /// \throws SolverError  the factorisation failed: nothing is painted then; or not converged. Another painting may do
-  ///                      better.
+  ///                      better. So it is with the CancelledError of options.cancel.
   Field paint(std::span<const Index> painted, const Eigen::Ref<const Eigen::MatrixXd>& values,
               std::span<const double> source = {});
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "dirichlet/cancel.h"
 #include "dirichlet/injection.h"
 
 namespace dirichlet {
@@ -35,6 +36,9 @@ struct SolverOptions {
   std::optional<double> tolerance;
   /// Give up after so many steps. At least 1; nothing said: 20 n + 1000 for least squares, else 500.
   std::optional<Index> max_iterations;
+  /// Stops analysis, factorisation and solution within a fraction of a second, by a CancelledError: they look at it
+  /// between fronts, steps and levels; least squares only between columns.
+  CancelToken cancel;
 };
 
 struct SolverStatistics {

@@ -8,8 +8,9 @@
 All errors are DirichletError: InputError, TopologyError or SolverError, one sentence that names what and where.
 """
 
-from ._native import DirichletError, InputError, SolverError, TopologyError
-from .field import CsrMatrix, Field, HarmonicSolver, SolveReport, dirichlet_laplacian, solve
+from ._native import CancelledError, DirichletError, InputError, SolverError, TopologyError
+from .build import build_information, set_thread_limit
+from .field import CancelToken, CsrMatrix, Field, HarmonicSolver, SolveReport, dirichlet_laplacian, solve
 from .geodesic import geodesic_disc
 from .line_shaping import keep_long, move_lines, resample_lines, simplify_lines, smooth_lines
 from .lines import (
@@ -25,6 +26,8 @@ from .mesh import Mesh, PatchFacts, inspect_patches, read_mesh, write_mesh
 from .painting import Painting, Patch, combine_patches
 
 __all__ = [
+    "CancelToken",
+    "CancelledError",
     "CsrMatrix",
     "DirichletError",
     "Field",
@@ -38,6 +41,7 @@ __all__ = [
     "SolveReport",
     "SolverError",
     "TopologyError",
+    "build_information",
     "combine_patches",
     "dirichlet_laplacian",
     "equal_area_levels",
@@ -51,6 +55,7 @@ __all__ = [
     "move_lines",
     "read_mesh",
     "resample_lines",
+    "set_thread_limit",
     "simplify_lines",
     "smooth_lines",
     "solve",

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._arrays import Indices, Reals, as_count, as_indices, as_reals, require_shape
+from ._native import CancelToken as _NativeToken
 from ._native import InputError
 from .mesh import Mesh, require_mesh
 
@@ -76,6 +77,13 @@ class SolveReport:
         return asdict(self) | {"warnings": list(self.warnings)}
 
 
+class CancelToken(_NativeToken):
+    """A flag that asks a solver to stop, to be raised from any thread by `cancel()`.
+
+    It stays raised until `reset()`: work that begins meanwhile stops at once. `is_cancelled` tells.
+    """
+
+
 @dataclass(frozen=True)
 class Field:
     """A solved field: values (V,), NaN on connected pieces without paint, and the report."""
@@ -98,6 +106,8 @@ class HarmonicSolver:
     tolerance       in (0, 1); float32 and multigrid stop at ‖r‖ ≤ tolerance ‖b‖ (nothing said: 1e-10), lscg at
                     ‖Aᵀr‖ ≤ tolerance ‖Aᵀb‖ (nothing said: 1e-14)
     max_iterations  of the same; at least 1
+    cancel          a CancelToken by which another thread may stop what the solver is at, within a fraction of a second
+                    (lscg: between columns): CancelledError. A new painting, once the token is reset, finds it usable.
 
     May be used from several threads. Raises InputError (nothing painted, an index or option out of range) or
     SolverError.
@@ -114,6 +124,7 @@ class HarmonicSolver:
         memory_budget: int | None = None,
         tolerance: float | None = None,
         max_iterations: int | None = None,
+        cancel: CancelToken | None = None,
     ) -> None:
         require_mesh(mesh)
         for name, kinds, what in (
@@ -123,6 +134,8 @@ class HarmonicSolver:
         ):
             if name not in kinds:
                 raise InputError(f"there is no {what} {name!r}; choose from: {', '.join(kinds)}")
+        if cancel is not None and not isinstance(cancel, CancelToken):
+            raise InputError(f"this needs a CancelToken, not {type(cancel).__name__}")
         if memory_budget is not None:
             memory_budget = as_count(memory_budget, "memory_budget", 2**63 - 1)
         if max_iterations is not None:
@@ -136,6 +149,7 @@ class HarmonicSolver:
             memory_budget,
             tolerance,
             max_iterations,
+            cancel,
         )
         self._report: SolveReport | None = None
 

@@ -26,11 +26,11 @@ Graph graph_of(const SparseMatrix& K) {
 }
 
 /// Dissection pays on large surfaces: minimum degree is quicker, but on regular ones fills up to three times as much.
-std::vector<Index> elimination_order(const Graph& graph) {
+std::vector<Index> elimination_order(const Graph& graph, const CancelToken& cancel) {
   constexpr Index kSmall = 25'000;
   return graph.size() <= kSmall
              ? minimum_degree_order(graph.offsets, graph.neighbours)
-             : fill_reducing_order(graph.offsets, graph.neighbours, static_cast<unsigned>(core_count()));
+             : fill_reducing_order(graph.offsets, graph.neighbours, static_cast<unsigned>(core_count()), cancel);
 }
 
 Eigen::Map<const SparseMatrix> view(const OrderedMatrix& matrix) {
@@ -43,7 +43,7 @@ class DirectSolver final : public Solver {
  public:
   DirectSolver(const SparseMatrix& K, const Analysis& analysis, std::int64_t most_kept, const SolverOptions& options)
       : symbolic_(analysis.symbolic), matrix_(std::make_shared<const OrderedMatrix>(order_matrix(K, symbolic_->order))),
-        factor_(symbolic_, matrix_, most_kept), tolerance_(options.tolerance.value_or(kTwinTolerance)),
+        factor_(symbolic_, matrix_, most_kept, options.cancel), tolerance_(options.tolerance.value_or(kTwinTolerance)),
         max_iterations_(options.max_iterations.value_or(kMostTwinIterations)) {
     statistics_ = {Method::direct, K.nonZeros(), symbolic_->factor_size(), analysis.seconds};
   }
@@ -96,11 +96,14 @@ class DirectSolver final : public Solver {
 
 } // namespace
 
-Analysis analyse_pattern(const SparseMatrix& K) {
+Analysis analyse_pattern(const SparseMatrix& K, const CancelToken& cancel) {
   const Stopwatch watch;
   Analysis analysis;
   const Graph graph = graph_of(K);
-  analysis.symbolic = std::make_shared<const SymbolicFactor>(analyse(graph, elimination_order(graph)));
+  const std::vector<Index> order = elimination_order(graph, cancel);
+  cancel.check();
+  analysis.symbolic = std::make_shared<const SymbolicFactor>(analyse(graph, order));
+  cancel.check();
   analysis.seconds = watch.seconds();
   return analysis;
 }

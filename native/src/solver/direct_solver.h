@@ -15,7 +15,7 @@ struct Analysis {
 };
 
 /// Ordering and symbolic analysis. Cost: O(n log n) on surfaces.
-Analysis analyse_pattern(const SparseMatrix& K);
+Analysis analyse_pattern(const SparseMatrix& K, const CancelToken& cancel);
 
 /// Bytes that a solver needs at least, matrix included. \param entries  of the matrix
 std::int64_t direct_solver_bytes(const SymbolicFactor& symbolic, std::int64_t entries, Precision precision);

@@ -48,9 +48,9 @@ std::int64_t count_bytes(const SymbolicFactor& symbolic, const EliminationTasks&
 
 template <class Real>
 Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared_ptr<const OrderedMatrix> matrix,
-                     std::int64_t most_kept)
-    : symbolic_(std::move(symbolic)), matrix_(std::move(matrix)), tasks_(cut<Real>(*symbolic_, most_kept)),
-      kernels_(dense_kernels<Real>(best_instruction_set())),
+                     std::int64_t most_kept, CancelToken cancel)
+    : symbolic_(std::move(symbolic)), matrix_(std::move(matrix)), cancel_(std::move(cancel)),
+      tasks_(cut<Real>(*symbolic_, most_kept)), kernels_(dense_kernels<Real>(best_instruction_set())),
       panels_(static_cast<std::size_t>(symbolic_->factor_size())), kept_(static_cast<std::size_t>(tasks_.kept_size)) {
   const SymbolicFactor& f = *symbolic_;
   const Index count = f.supernode_count();
@@ -96,6 +96,7 @@ void Factor<Real>::fill_panel(Index s, const Mask& fixed, Index* place, Real* pa
 template <class Real>
 void Factor<Real>::eliminate(Index s, const Mask& fixed, Real* update, std::span<const Real* const> child_updates,
                              Workspace& space) {
+  cancel_.check();
   const SymbolicFactor& f = *symbolic_;
   const Index w = f.width(s), r = f.row_count(s), m = w + r, first = f.columns[at(s)];
   Real* panel = panels_.data() + f.panel_offsets[at(s)];
@@ -208,6 +209,7 @@ void Factor<Real>::forward(Index begin, Index end, Real* x, Real* shared, Index 
   const Index shared_begin = f.columns[at(f.group[2])];
   std::vector<Real> below;
   for (Index s = begin; s < end; ++s) {
+    cancel_.check();
     const Index w = f.width(s), m = w + f.row_count(s);
     Real* const own = x + std::int64_t{f.columns[at(s)]} * k;
     if (std::all_of(own, own + std::int64_t{w} * k, [](Real value) { return value == 0; })) continue; // as is most of x
@@ -226,6 +228,7 @@ void Factor<Real>::backward(Index begin, Index end, Real* x, Index k) const {
   const SymbolicFactor& f = *symbolic_;
   std::vector<Real> below;
   for (Index s = end; s-- > begin;) {
+    cancel_.check();
     const Index w = f.width(s), m = w + f.row_count(s);
     below.resize(at(m - w) * at(k));
     Real* to = below.data();

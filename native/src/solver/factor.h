@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dirichlet/buffer.h"
+#include "dirichlet/cancel.h"
 #include "dirichlet/injection.h"
 #include "solver/dense_kernels.h"
 #include "solver/elimination_tasks.h"
@@ -29,12 +30,13 @@ class Factor {
   /// \param most_kept  bytes that may be spent on update matrices kept for partial factorisations
   /// \throws std::bad_alloc  not enough memory
   Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared_ptr<const OrderedMatrix> matrix,
-         std::int64_t most_kept);
+         std::int64_t most_kept, CancelToken cancel = {});
 
   /// Factors anew what depends on the columns in `changed` (positions whose painted flag differs, or whose neighbours'
   /// does). \param fixed  (n,) by position: 1 for an identity row.
   /// \returns the share of floating-point work that was done again, in [0, 1].
-  /// \throws SolverError  a pivot that is not positive; names the vertex. The next call then has to be a whole one.
+  /// \throws SolverError  a pivot that is not positive; names the vertex. The next call then has to be a whole one. So
+  ///                      it has after the CancelledError that every function but the constructor may throw.
   double refactor(const Mask& fixed, std::span<const Index> changed);
 
   /// All of it.
@@ -70,6 +72,7 @@ class Factor {
 
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::shared_ptr<const OrderedMatrix> matrix_;
+  CancelToken cancel_;
   EliminationTasks tasks_;
   std::vector<Index> child_offsets_; ///< (S + 1,)
   std::vector<Index> children_;      ///< supernodes, by parent

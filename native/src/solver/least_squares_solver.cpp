@@ -17,7 +17,8 @@ class LeastSquaresSolver final : public IterativeSolver {
   LeastSquaresSolver(SparseMatrix&& K, const SolverOptions& options)
       : IterativeSolver(std::move(K), Method::least_squares_cg, /*analysis_seconds=*/0),
         tolerance_(options.tolerance.value_or(1e-14)),
-        max_iterations_(options.max_iterations.value_or(20 * static_cast<Index>(stiffness().rows()) + 1000)) {}
+        max_iterations_(options.max_iterations.value_or(20 * static_cast<Index>(stiffness().rows()) + 1000)),
+        cancel_(options.cancel) {}
 
   Index solve(const Block& rhs, Block& x) const override {
     // L is D⁻¹ times the stiffness; its right-hand side is that of the twin with the painted columns moved back.
@@ -37,6 +38,7 @@ class LeastSquaresSolver final : public IterativeSolver {
     Index iterations = 0;
     x.resize(rhs.rows(), rhs.cols());
     for (Eigen::Index column = 0; column < x.cols(); ++column) {
+      cancel_.check();
       x.col(column) = cg.solve(prescribed.col(column)).eval();
       if (cg.info() != Eigen::Success)
         throw SolverError(message("least-squares conjugate gradients stopped at ", cg.error(), " after ",
@@ -47,11 +49,15 @@ class LeastSquaresSolver final : public IterativeSolver {
   }
 
  private:
-  void set_up(const Mask& mask) override { L_ = dirichlet::inject(random_walk(stiffness()), mask); }
+  void set_up(const Mask& mask) override {
+    cancel_.check();
+    L_ = dirichlet::inject(random_walk(stiffness()), mask);
+  }
 
   SparseMatrix L_; ///< injected
   double tolerance_;
   Index max_iterations_;
+  CancelToken cancel_;
 };
 
 } // namespace

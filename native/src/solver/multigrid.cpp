@@ -55,12 +55,13 @@ struct Multigrid::Vectors {
   std::vector<double> b, x, spare;
 };
 
-Multigrid::Multigrid(const SparseMatrix& K, const Mask& mask) : K_(K) {
+Multigrid::Multigrid(const SparseMatrix& K, const Mask& mask, CancelToken cancel) : K_(K), cancel_(std::move(cancel)) {
   if (K.rows() != K.cols() || mask.size() != at(K.rows()))
     throw InputError(
         message("a mask of ", mask.size(), " entries does not fit a matrix of ", K.rows(), " × ", K.cols()));
   SparseMatrix coarse;
   do {
+    cancel_.check();
     Level level;
     const bool finest = levels_.empty();
     const SparseMatrix& A = finest ? K : coarse;
@@ -144,6 +145,7 @@ class Multigrid::Iteration {
                                   " after ", steps, " steps, short of the tolerance ", tolerance));
       double rho = 0;
       do {
+        grid_.cancel_.check();
         residual = advance(rho);
         ++steps;
       } while (residual > tolerance && steps < max_iterations);

@@ -7,6 +7,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "dirichlet/cancel.h"
 #include "dirichlet/injection.h"
 #include "solver/multigrid/transfer.h"
 
@@ -29,8 +30,9 @@ class Multigrid {
   /// \throws SolverError     a diagonal entry that is not positive (names the vertex), or a coarse matrix that is not
   ///                         positive definite
   /// \throws std::bad_alloc  not enough memory
+  /// \throws CancelledError  between levels, and then by `solve` between steps
   /// Cost: O(non-zeros), about ten steps of solve.
-  Multigrid(const SparseMatrix& K, const Mask& mask);
+  Multigrid(const SparseMatrix& K, const Mask& mask, CancelToken cancel = {});
 
   struct Result {
     Index iterations;         ///< V-cycles done
@@ -66,6 +68,7 @@ class Multigrid {
   void precondition(std::size_t level, std::vector<Vectors>& work) const;
 
   const SparseMatrix& K_;
+  CancelToken cancel_;
   std::vector<Level> levels_;
   Eigen::LLT<Eigen::MatrixXd> coarsest_;
 };

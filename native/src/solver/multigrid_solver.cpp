@@ -15,7 +15,7 @@ class MultigridSolver final : public IterativeSolver {
   MultigridSolver(SparseMatrix&& K, const SolverOptions& options, double analysis_seconds)
       : IterativeSolver(std::move(K), Method::multigrid, analysis_seconds),
         tolerance_(options.tolerance.value_or(kTwinTolerance)),
-        max_iterations_(options.max_iterations.value_or(kMostTwinIterations)) {}
+        max_iterations_(options.max_iterations.value_or(kMostTwinIterations)), cancel_(options.cancel) {}
 
   Index solve(const Block& rhs, Block& x) const override {
     if (x.rows() != rhs.rows() || x.cols() != rhs.cols()) x = Block::Zero(rhs.rows(), rhs.cols());
@@ -35,12 +35,13 @@ class MultigridSolver final : public IterativeSolver {
  private:
   void set_up(const Mask& mask) override {
     multigrid_.reset(); // before the next takes its memory
-    multigrid_ = std::make_unique<const Multigrid>(stiffness(), mask);
+    multigrid_ = std::make_unique<const Multigrid>(stiffness(), mask, cancel_);
   }
 
   std::unique_ptr<const Multigrid> multigrid_; ///< the hierarchy of the mask
   double tolerance_;
   Index max_iterations_;
+  CancelToken cancel_;
 };
 
 } // namespace

@@ -8,9 +8,9 @@
 namespace dirichlet {
 
 std::vector<Index> fill_reducing_order(std::span<const Index> offsets, std::span<const Index> neighbours,
-                                       unsigned threads) {
+                                       unsigned threads, const CancelToken& cancel) {
   const ordering::Renumbered renumbered = ordering::renumber(offsets, neighbours, threads);
-  std::vector<Index> order = ordering::dissect(renumbered.graph(), threads);
+  std::vector<Index> order = ordering::dissect(renumbered.graph(), threads, cancel);
   for (Index& v : order) v = renumbered.vertices[static_cast<std::size_t>(v)];
   order.insert(order.end(), renumbered.hubs.begin(), renumbered.hubs.end());
   return order;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dirichlet/array.h"
+#include "dirichlet/cancel.h"
 
 namespace dirichlet {
 
@@ -18,7 +19,8 @@ namespace dirichlet {
 ///
 /// Cost: for meshes O(n) time but for what is near to divisions, about three times the memory of the graph.
 std::vector<Index> fill_reducing_order(std::span<const Index> offsets, std::span<const Index> neighbours,
-                                       unsigned threads = std::thread::hardware_concurrency());
+                                       unsigned threads = std::thread::hardware_concurrency(),
+                                       const CancelToken& cancel = {});
 
 /// The same by approximate minimum degree (Amestoy, Davis & Duff 1996): quicker, and as good on most small surfaces;
 /// but regular ones may take three times the operations, and more if they are renumbered. On one thread; cost, for

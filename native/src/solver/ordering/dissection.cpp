@@ -20,11 +20,12 @@ constexpr Index kRegionWeight = 160, kRegionVertices = 20;        // what need n
 constexpr Index kFinestRegion = kLargestLeaf / 8 * 7;             // nor in the graph itself; leaves room for changes
 
 /// The graphs made of `graph`, each of the one before, until one is small or could not be made much smaller.
-std::vector<CoarseGraph> coarsen(const Graph& graph) {
+std::vector<CoarseGraph> coarsen(const Graph& graph, const CancelToken& cancel) {
   const Index enough = std::clamp(graph.size / kFinestPerCoarsest, kSmallestCoarsest, kLargestCoarsest);
   CoarseningScratch scratch;
   std::vector<CoarseGraph> levels;
   for (Index size = graph.size; size > enough; size = levels.back().size) {
+    cancel.check();
     CoarseGraph coarse;
     if (levels.empty())
       coarsen(graph, scratch, coarse);
@@ -38,10 +39,11 @@ std::vector<CoarseGraph> coarsen(const Graph& graph) {
 
 class Dissection {
  public:
-  Dissection(const Graph& graph, unsigned threads) : graph_(graph), threads_(std::max(1U, threads)) {}
+  Dissection(const Graph& graph, unsigned threads, const CancelToken& cancel)
+      : graph_(graph), threads_(std::max(1U, threads)), cancel_(cancel) {}
 
   std::vector<Index> run() {
-    std::vector<CoarseGraph> levels = coarsen(graph_);
+    std::vector<CoarseGraph> levels = coarsen(graph_, cancel_);
     notes_.fit(graph_.size);
     start_with_one_region(levels.empty() ? graph_.size : levels.back().size);
     for (; !levels.empty(); levels.pop_back()) {
@@ -49,6 +51,7 @@ class Dissection {
       project(levels.back(), levels.size() == 1 ? graph_.size : levels[levels.size() - 2].size);
     }
     const RegionTree tree = refine(graph_, kFinestRegion, 0);
+    cancel_.check();
     return arrange(graph_, tree, regions_, threads_);
   }
 
@@ -63,6 +66,7 @@ class Dissection {
   template <class G>
   RegionTree refine(const G& graph, Index region_weight, Index region_vertices) {
     splitter_.split(graph, region_weight, region_vertices, regions_);
+    cancel_.check();
     RegionTree tree(regions_.depth);
     TreeRefiner(graph, tree, regions_, notes_).refine(threads_);
     return tree;
@@ -79,6 +83,7 @@ class Dissection {
 
   Graph graph_;
   unsigned threads_;
+  const CancelToken& cancel_;
   RegionSplitter splitter_{threads_};
   VertexNotes notes_;
   Regions regions_, finer_;
@@ -86,8 +91,8 @@ class Dissection {
 
 } // namespace
 
-std::vector<Index> dissect(const Graph& graph, unsigned threads) {
-  return graph.size <= kTooSmall ? order_lump(graph) : Dissection(graph, threads).run();
+std::vector<Index> dissect(const Graph& graph, unsigned threads, const CancelToken& cancel) {
+  return graph.size <= kTooSmall ? order_lump(graph) : Dissection(graph, threads, cancel).run();
 }
 
 } // namespace dirichlet::ordering

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dirichlet/cancel.h"
+
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "dirichlet/field.h"
+#include "mesh_makers.h"
+#include "refusal.h"
+#include "solver/ordering.h"
+
+namespace dirichlet {
+namespace {
+
+using makers::make_mesh;
+
+const std::vector<Index> kPainted{0, 77};
+const Eigen::MatrixXd kValues = Eigen::Vector2d(0, 1);
+
+SolverOptions with(const CancelToken& cancel, Method method, Precision precision = Precision::float64) {
+  SolverOptions options;
+  options.method = method;
+  options.precision = precision;
+  options.cancel = cancel;
+  return options;
+}
+
+TEST(CancelToken, is_raised_for_all_its_copies_until_it_is_lowered) {
+  const CancelToken token, other;
+  const std::vector copies(2, token);
+  token.check();
+  copies[0].cancel();
+  EXPECT_TRUE(token.is_cancelled());
+  EXPECT_REFUSED(token.check(), CancelledError, "cancelled");
+  other.check();
+  token.reset();
+  copies[1].check();
+}
+
+TEST(CancelToken, stops_every_part_of_every_solver_which_is_as_good_as_new_afterwards) {
+  const auto mesh = make_mesh(makers::torus(60, 40));
+  for (const auto& [method, precision] : {std::pair{Method::direct, Precision::float64},
+                                          {Method::direct, Precision::float32},
+                                          {Method::multigrid, Precision::float64},
+                                          {Method::least_squares_cg, Precision::float64}}) {
+    const CancelToken token;
+    const SolverOptions options = with(token, method, precision);
+    HarmonicSolver solver(*mesh, options);
+    const Field expected = solver.paint(kPainted, kValues);
+    token.cancel();
+    EXPECT_REFUSED(HarmonicSolver(*mesh, options), CancelledError, "cancelled");
+    EXPECT_REFUSED(solver.solve(2 * kValues), CancelledError, "cancelled");
+    EXPECT_REFUSED(solver.paint(std::vector<Index>{5, 9}, kValues), CancelledError, "cancelled");
+    token.reset();
+    EXPECT_REFUSED(solver.solve(kValues), InputError, "no vertex is painted");
+    const Field again = solver.paint(kPainted, kValues);
+    EXPECT_EQ(again.report.update, Update::full);
+    EXPECT_TRUE(method != Method::direct || again.values == expected.values);
+    EXPECT_TRUE(again.values.isApprox(expected.values, 1e-7));
+    EXPECT_EQ(solver.solve(kValues).values.rows(), mesh->vertex_count());
+  }
+}
+
+TEST(CancelToken, stops_an_order_that_is_looked_for) {
+  const auto mesh = make_mesh(makers::torus(60, 40));
+  const SparseMatrix K = graph_stiffness(*mesh);
+  const CancelToken token;
+  token.cancel();
+  const std::span offsets(K.outerIndexPtr(), static_cast<std::size_t>(K.rows()) + 1);
+  const std::span neighbours(K.innerIndexPtr(), static_cast<std::size_t>(K.nonZeros()));
+  EXPECT_REFUSED(fill_reducing_order(offsets, neighbours, 2, token), CancelledError, "cancelled");
+}
+
+TEST(CancelToken, raised_by_another_thread_stops_work_that_has_begun) {
+  const auto mesh = make_mesh(makers::torus(200, 150));
+  const CancelToken token;
+  HarmonicSolver solver(*mesh, with(token, Method::direct));
+  std::atomic<int> painted{0};
+  std::thread other([&] {
+    while (painted < 2) std::this_thread::yield();
+    token.cancel();
+  });
+  const auto paint_on = [&] { // until it is stopped, wherever it is
+    for (Index v = 0;; ++v) {
+      solver.paint(std::vector<Index>{v % 30'000, (v + 999) % 30'000}, kValues);
+      ++painted;
+    }
+  };
+  EXPECT_REFUSED(paint_on(), CancelledError, "cancelled");
+  other.join();
+  token.reset();
+  EXPECT_EQ(solver.paint(kPainted, kValues).values, HarmonicSolver(*mesh).paint(kPainted, kValues).values);
+}
+
+} // namespace
+} // namespace dirichlet
