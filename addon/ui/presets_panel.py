@@ -9,7 +9,7 @@ from .presets import PRESETS
 
 
 class DIRICHLET_PT_presets(PresetPanel, bpy.types.Panel):
-    bl_label = "Isoline Presets"
+    bl_label = "Presets"
     bl_space_type = "VIEW_3D"
     preset_subdir = SUBDIRECTORY
     preset_operator = "dirichlet.apply_preset"
