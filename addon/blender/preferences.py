@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import bpy
 
+from .. import library
+
 PACKAGE = __package__.rpartition(".")[0]  # the add-on's own: it depends on how the add-on was installed
 
 
@@ -17,6 +19,7 @@ class Preferences:
     ramp: str = "rainbow"
     live_delay: float = 0.1  # seconds, from the last change to its update
     ask_vertices: int = 2_000_000  # more are worth a question first
+    threads: int = 0  # 0: one per processor
     memory_budget: int = 0  # megabytes for a factorisation; 0: half of the machine's memory
 
 
@@ -32,6 +35,11 @@ def get() -> Preferences | bpy.types.AddonPreferences:
 def memory_budget() -> int | None:
     """Bytes, as the library's solvers take it."""
     return get().memory_budget * 2**20 or None
+
+
+def limit_threads() -> None:
+    """Tells the library how many threads it may use. Raises LibraryMissingError."""
+    library.load().set_thread_limit(get().threads or None)
 
 
 def begin(settings: bpy.types.PropertyGroup) -> None:

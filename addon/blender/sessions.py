@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import meshes
+from . import meshes, preferences
 
 _MOST = 4  # sessions kept; the one used longest ago goes first
 _sessions: OrderedDict[int, Session] = OrderedDict()
@@ -29,6 +29,7 @@ class Session:
         self.arrays = arrays
         self.mesh: Any = meshes.build(arrays)
         self._lock = Lock()
+        self._token: Any = library.load().CancelToken()
         self._solver: Any = None
         self._options: dict[str, Any] | None = None
 
@@ -38,10 +39,14 @@ class Session:
         with self._lock:
             if self._options != options:
                 self._solver = None  # before the next is made: a factor is the largest thing there is
-                self._solver = library.load().HarmonicSolver(self.mesh, **options)
+                self._solver = library.load().HarmonicSolver(self.mesh, **options, cancel=self._token)
                 self._options = options
             values = self._solver.paint(painting.vertices, painting.values)
             return values, self._solver.report
+
+    def stop(self) -> None:
+        """Ends what a thread is painting, and all painting to come, by CancelledError."""
+        self._token.cancel()
 
     def follow(self, arrays: meshes.Arrays) -> bool:
         """Whether these are its faces; then it takes the positions, of which the equations know nothing."""
@@ -61,6 +66,7 @@ def open_session(obj: bpy.types.Object) -> Session:
     arrays = meshes.read_arrays(obj.data)
     session = _sessions.pop(key, None)
     if session is None or not session.follow(arrays):
+        preferences.limit_threads()
         session = Session(arrays)
     _sessions[key] = session
     while len(_sessions) > _MOST:
@@ -69,7 +75,8 @@ def open_session(obj: bpy.types.Object) -> Session:
 
 
 def abandon(session: Session) -> None:
-    """Nobody waits any more for what its solver is busy with: the next to open one gets another."""
+    """Nobody waits any more for what its solver is busy with: it stops, and the next to open one gets another."""
+    session.stop()
     for key in [key for key, one in _sessions.items() if one is session]:
         del _sessions[key]
 

@@ -1,12 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The add-on's preferences."""
 
+from contextlib import suppress
+
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty
 
+from .. import library
 from ..blender import preferences
 from ..blender.preferences import DEFAULTS
+from .common import write_sentence
 from .properties import RAMPS
+
+
+def _threads_changed(_preferences, _context) -> None:
+    with suppress(library.LibraryMissingError):  # the preferences themselves say so
+        preferences.limit_threads()
 
 
 class DirichletPreferences(bpy.types.AddonPreferences):
@@ -29,8 +38,15 @@ class DirichletPreferences(bpy.types.AddonPreferences):
         default=DEFAULTS.ask_vertices,
         min=1,
     )
+    threads: IntProperty(
+        name="Threads",
+        description="Threads that compute; 0: one per processor",
+        default=DEFAULTS.threads,
+        min=0,
+        update=_threads_changed,
+    )
     memory_budget: IntProperty(
-        name="Memory Budget",
+        name="Memory Budget (MB)",
         description="Megabytes for a factorisation and what makes strokes quick; 0: half of the machine's memory. "
         "The automatic method turns to multigrid for what needs more",
         default=DEFAULTS.memory_budget,
@@ -42,6 +58,25 @@ class DirichletPreferences(bpy.types.AddonPreferences):
         column.use_property_split = True
         for name in vars(DEFAULTS):
             column.prop(self, name)
+        self.layout.separator()
+        _draw_build(self.layout, context)
+
+
+def _draw_build(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """How the compiled library was built, or why there is none."""
+    try:
+        information = library.load().build_information()
+    except library.LibraryMissingError as error:
+        write_sentence(layout, context, str(error), "ERROR")
+        return
+    column = layout.column(align=True)
+    column.label(text="Compiled Library", icon="INFO")
+    for name, text in information.items():
+        row = column.split(factor=0.4)
+        names = row.row()
+        names.alignment = "RIGHT"
+        names.label(text=name.replace("_", " "), translate=False)
+        row.label(text=text, translate=False)
 
 
 CLASSES = (DirichletPreferences,)

@@ -74,3 +74,12 @@ def test_the_memory_budget_makes_the_automatic_method_turn_to_multigrid(preferen
     assert pipeline.solve_field(obj).field.report.method == "direct"
     monkeypatch.setattr(preferences, "DEFAULTS", preferences.Preferences(memory_budget=1))
     assert pipeline.solve_field(obj).field.report.method == "multigrid"
+
+
+@pytest.mark.parametrize(("threads", "limit"), [(0, None), (3, 3)])
+def test_the_library_is_told_how_many_threads_it_may_use(threads, limit, preferences, pipeline, surface, monkeypatch):
+    told = []
+    monkeypatch.setattr(preferences, "DEFAULTS", preferences.Preferences(threads=threads))
+    monkeypatch.setattr(surface, "set_thread_limit", told.append)
+    pipeline.solve_field(painted_sphere())
+    assert told == [limit]

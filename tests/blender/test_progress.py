@@ -69,13 +69,15 @@ def test_what_is_dropped_has_written_nothing(solving):
     assert state(obj) == before
 
 
-def test_a_solver_that_was_dropped_keeps_nobody_waiting(solving, module):
+def test_a_solver_that_was_dropped_stops_and_keeps_nobody_waiting(solving, module, surface):
     obj = painted_sphere()
     first = module("sessions").open_session(obj)
     background = solving(obj)
     assert module("sessions").open_session(obj) is first
     background.stop()
     assert module("sessions").open_session(obj) is not first
+    with pytest.raises(surface.CancelledError):
+        first.paint(module("painting").read_painting(obj), {})
 
 
 def test_an_object_that_was_renamed_gets_its_field(solving):
