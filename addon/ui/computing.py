@@ -36,6 +36,10 @@ class Computing:
     def expected_bytes(self, objects) -> float:
         raise NotImplementedError
 
+    def is_slow(self, objects) -> bool:
+        """Whether they take long though they are small."""
+        return False
+
     def finish(self, context, made):
         return report_made(self, made)
 
@@ -55,7 +59,7 @@ class Computing:
     def invoke(self, context, event):
         objects = self.choose(context)
         vertices = sum(len(mesh.vertices) for mesh in {obj.data for obj in objects})
-        if bpy.app.background or vertices < _SLOW:
+        if bpy.app.background or not (vertices >= _SLOW or self.is_slow(objects)):
             return self.execute(context)
         if vertices >= preferences.get().ask_vertices and not self.confirmed:
             memory = round(self.expected_bytes(objects) / 1e6)

@@ -43,6 +43,9 @@ class DIRICHLET_OT_solve_field(Computing, bpy.types.Operator):
         sizes = ((len(obj.data.vertices), obj.dirichlet.method) for obj in objects)
         return sum(expected_memory.of_field(vertices, method, budget) for vertices, method in sizes)
 
+    def is_slow(self, objects):
+        return any(obj.dirichlet.method == "lscg" for obj in objects)
+
     def finish(self, context, made):
         viewport.show_vertex_colors(context)
         return super().finish(context, made)
