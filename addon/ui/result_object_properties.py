@@ -24,7 +24,8 @@ class DirichletIsolines(LineSettings, bpy.types.PropertyGroup):
     follow: BoolProperty(
         name="Follow",
         description="Refresh these isolines when field, settings or frame change, and draw them on the shape that "
-        "armature, shape keys and modifiers give the mesh, as long as those keep its faces",
+        "armature, shape keys and modifiers give the mesh, as long as those keep its faces. Rendering from the window "
+        "needs Render > Lock Interface then",
         update=callbacks.follow_changed,
     )
 

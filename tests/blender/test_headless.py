@@ -85,6 +85,15 @@ def test_a_mesh_file_is_solved_and_rendered(tmp_path):
     assert (pixels[0, 0] == 1).all()  # on white
 
 
+def test_a_picture_shows_lines_whatever_the_output_of_the_object(tmp_path):
+    painted_grid().dirichlet.output = "MESH"
+    words = ("--isolines", 3, "--render", tmp_path / "out.png", "--size", 32, 24, "--save", tmp_path / "out.blend")
+    done = run_script(SCRIPT, *words, file=save(tmp_path))
+    assert done.returncode == 0, done.stderr
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "out.blend"))
+    assert len(bpy.data.objects["Grid"].dirichlet.isolines.data.splines) == 3
+
+
 def two_objects():
     painted_grid(name="First")
     grid(name="Second")
