@@ -4,6 +4,8 @@
 import bpy
 import numpy as np
 import pytest
+from conftest import STAGED
+from in_new_blender import run_blender, save
 from scene import field_of, painted_grid
 from shapes import add_shape_key, levels, points
 
@@ -83,6 +85,26 @@ def test_a_rendered_animation_has_the_lines_of_every_frame(sheet, tmp_path):
         assert np.array_equal(picture(tmp_path / "still.png"), pictures[frame - 1])
     assert not np.array_equal(pictures[0], pictures[1])
     assert not np.array_equal(pictures[1], pictures[2])
+
+
+def test_a_saved_animation_is_rendered_by_a_blender_of_its_own(sheet, tmp_path):
+    animate(sheet)
+    sheet.dirichlet.bevel_depth, sheet.hide_render = 0.02, True
+    set_up_render(tmp_path)
+    path = save(tmp_path)
+    bpy.ops.render.render(animation=True)
+    here = [picture(tmp_path / f"000{frame}.png") for frame in (1, 2, 3)]
+    run_blender(f"""
+import bpy, importlib, sys
+sys.path.insert(0, {str(STAGED.parent)!r})
+importlib.import_module({STAGED.name!r}).register()
+bpy.ops.wm.open_mainfile(filepath={str(path)!r})
+bpy.context.scene.render.filepath = {str(tmp_path / "there")!r}
+bpy.ops.render.render(animation=True)
+""")
+    there = [picture(tmp_path / f"there000{frame}.png") for frame in (1, 2, 3)]
+    assert all(map(np.array_equal, here, there))
+    assert not np.array_equal(there[0], there[2])
 
 
 def test_a_rendered_animation_solves_for_animated_values_while_live(sheet, tmp_path):

@@ -3,13 +3,12 @@
 
 import importlib
 import json
-import os
-import subprocess
 
 import bpy
 import numpy as np
 import pytest
 from conftest import STAGED
+from in_new_blender import run_blender
 from refusal import data_counts
 from scene import colors_of, field_of, painted_sphere
 
@@ -163,12 +162,3 @@ def test_field_is_finite_in_the_range_of_the_paint():
     values = field_of(obj)
     assert np.isfinite(values).all()
     assert (values.min(), values.max()) == (0, 1)
-
-
-def run_blender(script):
-    """A new Blender with factory settings and its default scene runs the script and ends."""
-    command = [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1", "--python-expr"]
-    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-    run = subprocess.run([*command, script], capture_output=True, text=True, env=environment, timeout=120, check=False)
-    assert run.returncode == 0, run.stdout + run.stderr
-    return run
