@@ -98,10 +98,10 @@ def stop() -> None:
     global _threads
     if bpy.app.timers.is_registered(_tick):
         bpy.app.timers.unregister(_tick)
+    forget()  # which stops what the thread computes
     if _threads:
         _threads.shutdown(cancel_futures=True)
         _threads = None
-    forget()
 
 
 def _followed(obj: bpy.types.Object) -> Change:

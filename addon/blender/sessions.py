@@ -82,6 +82,9 @@ def abandon(session: Session) -> None:
 
 
 def forget_all() -> None:
+    """Of a file that is closed: what they compute is for nobody, and stops."""
+    for session in _sessions.values():
+        session.stop()
     _sessions.clear()
 
 

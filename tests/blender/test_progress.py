@@ -143,8 +143,16 @@ def test_undo_while_computing_does_no_harm(solving):
 def test_closing_the_file_while_computing_does_no_harm(solving, surface):
     background = solving(painted_sphere())
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    with pytest.raises(surface.InputError, match="'Sphere' was removed"):
+    with pytest.raises(surface.DirichletError, match=r"'Sphere' was removed|cancelled"):
         finish(background)
+
+
+def test_closing_the_file_stops_what_is_computed_for_it(module, surface):
+    obj = painted_sphere()
+    session, painting = module("sessions").open_session(obj), module("painting").read_painting(obj)
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    with pytest.raises(surface.CancelledError):
+        session.paint(painting, {})
 
 
 def test_without_a_window_invoking_computes_at_once_and_asks_nothing(module, monkeypatch):
