@@ -57,12 +57,13 @@ def require_source(result: bpy.types.Object) -> bpy.types.Object:
 
 
 def followers(source: bpy.types.Object) -> list[bpy.types.Object]:
-    """Results of a mesh object that are to change with it: those with Follow, and the bound one while Live is on."""
+    """Results of a mesh object that are to change with it: those with Follow, and the bound one while Live is on; none
+    that the user deleted, which Blender keeps as long as something points at it."""
     bound = find_unlocked(source)
     found = [bound] if bound and (source.dirichlet.live or bound.dirichlet_isolines.follow) else []
     if source.dirichlet.followed:
         found += [obj for obj in bpy.data.objects if obj != bound and _follows(obj, source)]
-    return found
+    return [obj for obj in found if obj.users_collection]
 
 
 def _follows(obj: bpy.types.Object, source: bpy.types.Object) -> bool:

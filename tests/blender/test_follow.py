@@ -82,6 +82,20 @@ def test_results_that_do_not_follow_stay(live, sheet, still):
     assert (levels(second), len(levels(sheet.dirichlet.isolines))) == (before, 2)
 
 
+@pytest.mark.parametrize("live_too", [False, True])
+def test_a_deleted_result_stays_deleted(live, sheet, live_too):
+    result = sheet.dirichlet.isolines
+    sheet.dirichlet.live = live_too
+    settle(live)
+    bpy.context.view_layer.objects.active = result
+    sheet.select_set(False)
+    result.select_set(True)
+    bpy.ops.object.delete()
+    sheet.dirichlet.count = 3
+    settle(live)
+    assert [obj.name for obj in bpy.context.scene.objects] == ["Grid"]
+
+
 def test_following_answers_no_write_of_its_own(live, sheet):
     sheet.dirichlet.count = 3
     settle(live)
