@@ -128,6 +128,18 @@ def test_no_step_makes_a_line_longer_and_ends_stay():
         assert_array_equal(smooth.points[ends], lines.points[ends])
 
 
+def test_no_step_makes_a_wild_line_longer():
+    soup = torus(24, 14)
+    mesh, field = soup.mesh(), np.random.default_rng(4).normal(size=soup.size)
+    lines = isolines(mesh, field, [-0.4, 0.3])
+    lengths = [lines.length]
+    for _ in range(8):
+        lines = smooth_lines(mesh, lines, 1)
+        lengths.append(lines.length)
+    assert (np.diff(lengths, axis=0) <= 1e-12).all()
+    assert (lengths[-1] < lengths[0]).all()
+
+
 def test_no_steps_change_nothing_and_two_and_three_make_five():
     mesh, lines = lines_on(torus(24, 14))
     assert_same_lines(smooth_lines(mesh, lines, 0), lines)
