@@ -78,12 +78,12 @@ def add_monkey() -> bpy.types.Object:
 
 def paint(addon: ModuleType, obj: bpy.types.Object) -> None:
     """A vertex group and a patch for each of _PATCHES."""
-    mesh = part(addon, "blender.meshes").read_mesh(obj.data)
+    mesh = part(addon, "blender.mesh.meshes").read_mesh(obj.data)
     near = neighbours(mesh)
     for name, value, share, points in _PATCHES:
         centres = [int(np.linalg.norm(mesh.positions - point, axis=1).argmin()) for point in points]
         discs = [grow_disc(near, mesh.positions, centre, round(share * mesh.vertex_count)) for centre in centres]
-        group = part(addon, "blender.groups").add_group(obj, name, np.concatenate(discs))
+        group = part(addon, "blender.mesh.groups").add_group(obj, name, np.concatenate(discs))
         bpy.ops.dirichlet.patch_add_group(group=group)
         obj.dirichlet.patches[-1].value = value
 

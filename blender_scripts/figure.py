@@ -40,7 +40,7 @@ def make_figure(addon: ModuleType, obj: bpy.types.Object, plan: Plan) -> Sheet:
     with Studio(addon, obj, plan.width, plan.height) as studio:
         colored = figure_materials.colored(addon, obj)
         mask = np.zeros(len(obj.data.vertices), bool)
-        mask[part(addon, "blender.painting").read_painting(obj).vertices] = True
+        mask[part(addon, "blender.paint.painting").read_painting(obj).vertices] = True
         studio.look(plan.below)
         below = [_tile(studio, colored, "field, from another side"), *_windowed(addon, obj, studio, plan)]
         studio.look(plan.above)
@@ -59,7 +59,7 @@ def _windowed(addon: ModuleType, obj: bpy.types.Object, studio: Studio, plan: Pl
     studio.dress(material)
     low, high = _limits(addon, obj)
     places = (np.array(plan.window) - low) / (high - low)
-    ramp = part(addon, "blender.material").find_ramp(studio.surface).color_ramp
+    ramp = part(addon, "blender.look.material").find_ramp(studio.surface).color_ramp
     figure_materials.fade_outside(addon, ramp, *places.tolist())
     lines = _isolines(addon, obj, plan.levels, plan.window)
     spot = plan.spot or _busiest(studio, lines, plan.zoom)
@@ -101,11 +101,11 @@ def _busiest(studio: Studio, lines: bpy.types.Object, zoom: float) -> tuple[floa
 
 
 def _limits(addon: ModuleType, obj: bpy.types.Object) -> tuple[float, float]:
-    return part(addon, "blender.ramp").limits(part(addon, "blender.attributes").read_field(obj.data))
+    return part(addon, "blender.look.ramp").limits(part(addon, "blender.mesh.attributes").read_field(obj.data))
 
 
 def _legend(addon: ModuleType, obj: bpy.types.Object, window: tuple[float, float]) -> Legend:
     low, high = _limits(addon, obj)
-    linear = part(addon, "blender.ramp").colors(obj, np.linspace(low, high, 512), (low, high))
+    linear = part(addon, "blender.look.ramp").colors(obj, np.linspace(low, high, 512), (low, high))
     bytes_ = part(addon, "library").load("ramps").srgb_bytes(linear[:, :3])
     return Legend(bytes_.astype(np.float32) / 255, low, high, window)

@@ -19,7 +19,7 @@ _MASK = "figure_mask"
 
 
 def ink(addon: ModuleType) -> bpy.types.Material:
-    material, surface = part(addon, "blender.material").new_with_nodes("Ink")
+    material, surface = part(addon, "blender.look.material").new_with_nodes("Ink")
     surface.inputs["Base Color"].default_value = (*_INK, 1)
     return _matte(material)
 
@@ -27,11 +27,11 @@ def ink(addon: ModuleType) -> bpy.types.Material:
 def painted(addon: ModuleType, mesh: bpy.types.Mesh, mask: NDArray[np.bool_]) -> bpy.types.Material:
     """Red where the mask (V,) is set, grey elsewhere."""
     mesh.attributes.new(_MASK, "FLOAT", "POINT").data.foreach_set("value", mask.astype(np.float32))
-    material, surface = part(addon, "blender.material").new_with_nodes("Painted")
+    material, surface = part(addon, "blender.look.material").new_with_nodes("Painted")
     nodes, links = material.node_tree.nodes, material.node_tree.links
     attribute, ramp = nodes.new("ShaderNodeAttribute"), nodes.new("ShaderNodeValToRGB")
     attribute.attribute_name = _MASK
-    part(addon, "blender.material").set_stops(ramp.color_ramp, ((0.3, CLAY), (0.7, _RED)))
+    part(addon, "blender.look.material").set_stops(ramp.color_ramp, ((0.3, CLAY), (0.7, _RED)))
     links.new(attribute.outputs["Fac"], ramp.inputs["Fac"])
     links.new(ramp.outputs["Color"], surface.inputs["Base Color"])
     return _matte(material)
@@ -39,7 +39,7 @@ def painted(addon: ModuleType, mesh: bpy.types.Mesh, mask: NDArray[np.bool_]) ->
 
 def colored(addon: ModuleType, obj: bpy.types.Object) -> bpy.types.Material:
     """A copy of the object's field material."""
-    return _matte(part(addon, "blender.material").find(obj).copy())
+    return _matte(part(addon, "blender.look.material").find(obj).copy())
 
 
 def fade_outside(addon: ModuleType, ramp: bpy.types.ColorRamp, low: float, high: float) -> None:
@@ -54,7 +54,7 @@ def fade_outside(addon: ModuleType, ramp: bpy.types.ColorRamp, low: float, high:
     step = 1e-5  # a jump takes two stops
     stops = [(place, color(place, True)) for place in (*outer, low - step, high + step) if 0 <= place <= 1]
     stops += [(place, color(place, False)) for place in (low, *inner, high)]
-    part(addon, "blender.material").set_stops(ramp, sorted(stops))
+    part(addon, "blender.look.material").set_stops(ramp, sorted(stops))
 
 
 def _matte(material: bpy.types.Material) -> bpy.types.Material:

@@ -60,7 +60,7 @@ def add_painted(addon: ModuleType, mesh, name: str, up: str) -> tuple[bpy.types.
     obj.matrix_world = Matrix(UPRIGHT[up]).to_4x4()
     discs = far_apart_discs(mesh)
     for number, disc in enumerate(discs, start=1):
-        group = part(addon, "blender.groups").add_group(obj, f"disc {number}", disc)
+        group = part(addon, "blender.mesh.groups").add_group(obj, f"disc {number}", disc)
         bpy.ops.dirichlet.patch_add_group(group=group)
     bpy.ops.dirichlet.patch_spread_values()
     obj.dirichlet.overlap = "first"  # discs meet on meshes of a few vertices
@@ -69,9 +69,9 @@ def add_painted(addon: ModuleType, mesh, name: str, up: str) -> tuple[bpy.types.
 
 def plan(addon: ModuleType, obj: bpy.types.Object, painted: np.ndarray, args: argparse.Namespace) -> Plan:
     upright = np.array(obj.matrix_world.to_3x3())
-    view = best_view(part(addon, "blender.meshes").read_positions(obj.data) @ upright.T, painted)
+    view = best_view(part(addon, "blender.mesh.meshes").read_positions(obj.data) @ upright.T, painted)
     view = replace(view, azimuth=view.azimuth + args.turn)
-    field = part(addon, "blender.attributes").read_field(obj.data)
+    field = part(addon, "blender.mesh.attributes").read_field(obj.data)
     window = args.window or rounded(*np.nanquantile(field, _MOST_SEEN).tolist())
     size = {"width": args.width, "height": args.width * Plan.height // Plan.width}
     return Plan(view, other_side(view), tuple(window), levels=args.isolines, **size)

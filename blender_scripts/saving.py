@@ -29,11 +29,11 @@ def render_object(addon: ModuleType, obj: bpy.types.Object, size: tuple[int, int
 
     Raises OSError where the picture cannot be written.
     """
-    painted = part(addon, "blender.painting").read_painting(obj).vertices
+    painted = part(addon, "blender.paint.painting").read_painting(obj).vertices
     with Studio(addon, obj, *size) as studio:
         studio.look(best_view(studio.points, painted))
         studio.dress(figure_materials.colored(addon, obj))
-        studio.draw(part(addon, "blender.result_objects").find(obj), _LINE)
+        studio.draw(part(addon, "blender.lines.result_objects").find(obj), _LINE)
         tile = studio.render()
     sheet = Sheet(*size)
     sheet.paste(tile, 0, 0)

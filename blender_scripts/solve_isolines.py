@@ -36,7 +36,7 @@ def main(addon: ModuleType) -> None:
     set_patches(addon, obj, args)
     solved = pipeline.solve_field(obj)
     lines = make_isolines(addon, obj, solved.mesh, args)
-    patches = part(addon, "blender.painting").read_patches(obj)
+    patches = part(addon, "blender.paint.painting").read_patches(obj)
     command_line.write_outputs(
         args, solved.mesh, solved.field, lines, patches, solved.painting.warnings, also=blender_files(addon, obj, args)
     )
@@ -83,17 +83,17 @@ def set_patches(addon: ModuleType, obj: bpy.types.Object, args: argparse.Namespa
     settings.overlap, settings.method = args.overlap, args.method
     if not args.groups and not args.patches:
         return
-    positions = part(addon, "blender.meshes").read_positions(obj.data)
+    positions = part(addon, "blender.mesh.meshes").read_positions(obj.data)
     patches = [argument.to_patch(positions) for argument in args.patches]
     patches = [replace(patch, values=_single(surface, patch.name, patch.values)) for patch in patches]
     groups = [(name, _single(surface, name, value)) for name, value in args.groups]
     settings.patches.clear()
     for name, value in groups:
         _list_patch(settings, name, value)
-    asked_for = [*part(addon, "blender.painting").read_patches(obj), *patches]
+    asked_for = [*part(addon, "blender.paint.painting").read_patches(obj), *patches]
     surface.combine_patches(asked_for, len(positions), args.overlap)  # groups would drop vertices outside in silence
     for patch in patches:
-        group = part(addon, "blender.groups").add_group(obj, patch.name, patch.vertices)
+        group = part(addon, "blender.mesh.groups").add_group(obj, patch.name, patch.vertices)
         _list_patch(settings, group, patch.values)
 
 
@@ -112,7 +112,7 @@ def _list_patch(settings: bpy.types.PropertyGroup, group: str, value: float) -> 
 def make_isolines(addon: ModuleType, obj: bpy.types.Object, mesh, args: argparse.Namespace):
     """The library's Isolines, drawn as the add-on's curve object where there is any level."""
     library = part(addon, "library")
-    values = part(addon, "blender.attributes").read_field(obj.data)
+    values = part(addon, "blender.mesh.attributes").read_field(obj.data)
     levels = library.load("command_line").choose_levels(args, mesh, values)
     if not len(levels):
         return library.load().isolines(mesh, values, levels)

@@ -11,8 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import attributes, evaluated, looks, material, meshes, painting, preferences, ramp, results
-from .sessions import Session, open_session
+from . import preferences, results
+from .look import looks, material, ramp
+from .mesh import attributes, evaluated, meshes
+from .mesh.sessions import Session, open_session
+from .paint import painting
 from .stopwatch import Stopwatch
 
 

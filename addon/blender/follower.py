@@ -14,7 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import attributes, field_task, line_task, pipeline, result_objects, sessions
+from . import field_task, pipeline
+from .lines import line_task, result_objects
+from .mesh import attributes, sessions
 
 _INSPECTED = 200_000  # vertices up to which the patches of the list are looked at on every stroke
 _PREVIEW = ""

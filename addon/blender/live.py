@@ -16,8 +16,9 @@ from time import perf_counter
 
 import bpy
 
-from . import preferences, sessions
+from . import preferences
 from .follower import Change, Follower, Preview
+from .mesh import sessions
 
 _INLINE = 50_000  # vertices up to which a field takes less than handing it to a thread
 _POLL = 0.005  # seconds between looks at a brush or a thread that is busy

@@ -8,9 +8,13 @@ from __future__ import annotations
 
 import bpy
 
-from . import attributes, field_task, line_task, looks, material, meshes, patches, ramp, result_objects
+from . import field_task
 from .field_task import FieldResult
-from .line_task import IsolineResult
+from .lines import line_task, result_objects
+from .lines.line_task import IsolineResult
+from .look import looks, material, ramp
+from .mesh import attributes, meshes
+from .paint import patches
 
 
 def solve_field(obj: bpy.types.Object) -> FieldResult:

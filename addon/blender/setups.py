@@ -16,7 +16,8 @@ import bpy
 
 from .. import library
 from ..language import say
-from . import looks, settings
+from . import settings
+from .look import looks
 
 Setup = dict[str, Any]  # by the name of the setting; not all need be there
 

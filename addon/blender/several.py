@@ -13,7 +13,9 @@ import bpy
 
 from .. import library
 from ..language import say
-from . import field_task, line_task, meshes, pipeline, result_objects, sessions
+from . import field_task, pipeline
+from .lines import line_task, result_objects
+from .mesh import meshes, sessions
 from .work import Held, Step, Work
 
 

@@ -17,7 +17,7 @@ import bpy
 
 from .. import library
 from ..language import say
-from . import meshes
+from .mesh import meshes
 
 Progress = Callable[[float], None]  # called with the part done, from 0 to 1
 

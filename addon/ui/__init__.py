@@ -3,33 +3,11 @@
 
 import bpy
 
-from . import (
-    add_patch_operator,
-    computing,
-    field_operators,
-    handlers,
-    legend,
-    lists,
-    panels,
-    patch_list_operators,
-    patch_operators,
-    patch_source_operators,
-    pick_operators,
-    preferences,
-    preset_operators,
-    presets_panel,
-    preview,
-    preview_panel,
-    properties,
-    result_object_properties,
-    result_operators,
-    result_panels,
-    shape_panels,
-    stripe_operators,
-    stripe_panel,
-    tools,
-    translations,
-)
+from . import computing, handlers, panels, preferences, properties, translations
+from .drawing import legend, preview, preview_panel
+from .field import field_operators, preset_operators, presets_panel, stripe_operators, stripe_panel
+from .lines import pick_operators, result_object_properties, result_operators, result_panels, shape_panels
+from .patches import add_patch_operator, lists, patch_list_operators, patch_operators, patch_source_operators, tools
 
 _MODULES = (
     preferences,

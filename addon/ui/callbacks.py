@@ -28,7 +28,8 @@ def painting_changed(settings, context) -> None:
 
 
 def lines_changed(settings, context) -> None:
-    from ..blender import live, result_objects
+    from ..blender import live
+    from ..blender.lines import result_objects
 
     source = result_objects.drawn_by(settings)
     if source:
@@ -65,13 +66,13 @@ def _push_undo_while_painting(step: str) -> None:
 
 
 def bevel_depth_changed(settings, context) -> None:
-    from ..blender import result_drawing
+    from ..blender.lines import result_drawing
 
     result_drawing.set_thickness(settings)
 
 
 def get_patch_color(patch) -> tuple[float, float, float]:
-    from ..blender import ramp
+    from ..blender.look import ramp
 
     return ramp.color_at(patch.id_data, patch.value)
 

@@ -5,8 +5,8 @@ import textwrap
 
 import bpy
 
+from ..blender.lines.result_objects import is_result
 from ..blender.names import FIELD
-from ..blender.result_objects import is_result
 from ..language import say
 
 _MODES = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX")

@@ -8,7 +8,7 @@ from types import ModuleType
 import bpy
 from bpy.app.handlers import persistent
 
-from ..blender import material
+from ..blender.look import material
 
 
 @persistent
@@ -44,7 +44,7 @@ def _loaded(path) -> None:
 @persistent
 def _frame_changed(scene, depsgraph) -> None:
     if depsgraph.mode == "RENDER":
-        from ..blender import evaluated
+        from ..blender.mesh import evaluated
 
         for obj in scene.objects:
             evaluated.take_values(obj, depsgraph)

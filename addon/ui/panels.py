@@ -4,13 +4,14 @@
 import bpy
 
 from .. import library
-from ..blender import material, result_objects
+from ..blender.lines import result_objects
+from ..blender.look import material
 from ..language import label
 from .common import write_sentence
-from .line_layout import draw_line_settings, draw_lock, properties
-from .lists import draw_patch_list
-from .presets_panel import DIRICHLET_PT_presets
-from .tools import ADD_PATCH
+from .field.presets_panel import DIRICHLET_PT_presets
+from .lines.line_layout import draw_line_settings, draw_lock, properties
+from .patches.lists import draw_patch_list
+from .patches.tools import ADD_PATCH
 
 
 class _Panel:

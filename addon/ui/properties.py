@@ -14,8 +14,8 @@ from bpy.props import (
 )
 
 from . import callbacks
-from .line_properties import LineSettings
-from .preview_properties import PreviewSettings
+from .drawing.preview_properties import PreviewSettings
+from .lines.line_properties import LineSettings
 from .result_properties import DirichletResults
 
 RAMPS = (

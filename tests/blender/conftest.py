@@ -8,6 +8,7 @@ from pathlib import Path
 
 import bpy
 import pytest
+from scene import painted_grid, painted_sphere
 
 ROOT = Path(__file__).resolve().parents[2]
 STAGED = Path(os.environ.get("DIRICHLET_ADDON", ROOT / "build/release/addon/dirichlet_isolines"))
@@ -39,3 +40,19 @@ def pipeline(addon, surface):
 @pytest.fixture(autouse=True)
 def _empty_file(addon):
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+
+
+@pytest.fixture
+def sphere():
+    """Closed, solved between 0 and 1."""
+    obj = painted_sphere()
+    bpy.ops.dirichlet.solve_field()
+    return obj
+
+
+@pytest.fixture
+def sheet():
+    """Solved: x / 8 on columns 0 to 8."""
+    obj = painted_grid(columns=9)
+    bpy.ops.dirichlet.solve_field()
+    return obj

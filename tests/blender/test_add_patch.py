@@ -13,12 +13,12 @@ from scene import grid, painted_grid, painted_sphere
 
 @pytest.fixture
 def picking(addon):
-    return importlib.import_module(f"{addon.__name__}.blender.picking")
+    return importlib.import_module(f"{addon.__name__}.blender.mesh.picking")
 
 
 @pytest.fixture
 def discs(addon):
-    return importlib.import_module(f"{addon.__name__}.blender.discs")
+    return importlib.import_module(f"{addon.__name__}.blender.paint.discs")
 
 
 def disc(*how, location=(5.0, 3.0, 0.0), radius=1.5, **more):

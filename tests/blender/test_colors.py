@@ -11,7 +11,7 @@ from scene import add, colors_of, field_of, paint, painted_grid
 
 @pytest.fixture
 def material(addon):
-    return importlib.import_module(f"{addon.__name__}.blender.material")
+    return importlib.import_module(f"{addon.__name__}.blender.look.material")
 
 
 def solve():
@@ -54,7 +54,7 @@ def test_constant_ramp_jumps_exactly_at_its_stops(addon, material):
     ramp = material.find_ramp(obj).color_ramp
     ramp.interpolation = "CONSTANT"
     places = np.array([place + shift for place in (0.25, 0.5, 0.75) for shift in (-1e-6, 0, 1e-6)])
-    table = importlib.import_module(f"{addon.__name__}.blender.ramp").read_table(obj)
+    table = importlib.import_module(f"{addon.__name__}.blender.look.ramp").read_table(obj)
     assert np.array_equal(table.apply(places, (0.0, 1.0)), ramp_colors(ramp, places))
 
 

@@ -7,22 +7,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from scene import field_of, library_mesh, link, painted_grid, painted_sphere
-
-
-@pytest.fixture
-def sphere():
-    obj = painted_sphere()
-    bpy.ops.dirichlet.solve_field()
-    return obj
-
-
-@pytest.fixture
-def sheet():
-    """x / 8 on columns 0 to 8."""
-    obj = painted_grid(columns=9)
-    bpy.ops.dirichlet.solve_field()
-    return obj
+from scene import field_of, library_mesh, link, painted_grid
 
 
 def make(obj):
@@ -180,7 +165,7 @@ def test_window_follows_the_field_until_it_is_set():
 def test_lines_take_the_color_of_their_level_on_the_ramp(addon, sheet):
     sheet.dirichlet.levels_mode, sheet.dirichlet.levels_list = "LIST", "0.25 0.6"
     curve = make(sheet).data
-    ramp = importlib.import_module(f"{addon.__name__}.blender.material").find_ramp(sheet).color_ramp
+    ramp = importlib.import_module(f"{addon.__name__}.blender.look.material").find_ramp(sheet).color_ramp
     for spline, level in zip(curve.splines, (0.25, 0.6), strict=True):
         material = curve.materials[spline.material_index]
         shown = material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value
@@ -242,7 +227,7 @@ def test_results_count_closed_and_open_lines(sphere, sheet):
 
 
 def test_points_that_coincide_in_float32_are_one(addon):
-    drawing = importlib.import_module(f"{addon.__name__}.blender.outputs.drawing")
+    drawing = importlib.import_module(f"{addon.__name__}.blender.lines.outputs.drawing")
     step = 1e-12
     stay, close, vanish, vanish_open, return_to_start = (
         [0, step, 1, 2, 2 + step],

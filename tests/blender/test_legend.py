@@ -11,7 +11,7 @@ from scene import painted_grid
 
 @pytest.fixture
 def legend(addon):
-    return importlib.import_module(f"{addon.__name__}.blender.legend_geometry")
+    return importlib.import_module(f"{addon.__name__}.blender.look.legend_geometry")
 
 
 @pytest.fixture

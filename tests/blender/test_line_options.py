@@ -5,24 +5,9 @@ import bpy
 import numpy as np
 import pytest
 from refusal import assert_refused
-from scene import field_of, library_mesh, painted_grid, painted_sphere
+from scene import field_of, library_mesh, painted_grid
 
 OUTPUTS = ["CURVE", "MESH", *(["CURVES"] if "set_types" in bpy.types.Curves.bl_rna.functions else [])]
-
-
-@pytest.fixture
-def sphere():
-    obj = painted_sphere()
-    bpy.ops.dirichlet.solve_field()
-    return obj
-
-
-@pytest.fixture
-def sheet():
-    """x / 8 on columns 0 to 8."""
-    obj = painted_grid(columns=9)
-    bpy.ops.dirichlet.solve_field()
-    return obj
 
 
 def make(obj):

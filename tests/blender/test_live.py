@@ -332,7 +332,7 @@ class TestThread:
         assert_current(surface, grid_live)
 
     def test_outdated_result_is_dropped_and_the_newest_wins(self, addon, live, surface, grid_live, monkeypatch):
-        session = importlib.import_module(f"{addon.__name__}.blender.sessions").Session
+        session = importlib.import_module(f"{addon.__name__}.blender.mesh.sessions").Session
         paint_now, painted = session.paint, []
 
         def slow_paint(self, painting, options):

@@ -179,7 +179,7 @@ def test_solving_counts_and_checks_the_patches():
 
 def test_facts_that_come_late_find_their_rows_in_a_list_that_changed(addon, surface):
     """As they do from a thread, for rows removed, moved and added meanwhile."""
-    module = importlib.import_module(f"{addon.__name__}.blender.patches")
+    module = importlib.import_module(f"{addon.__name__}.blender.paint.patches")
     obj = three_patches()
     painted = [surface.Patch(name, np.arange(k + 1), 0.0) for k, name in enumerate("abc")]
     obj.dirichlet.patches.remove(1)

@@ -21,7 +21,7 @@ def setups(addon):
 
 @pytest.fixture
 def presets(addon):
-    return importlib.import_module(f"{addon.__name__}.ui.presets").PRESETS
+    return importlib.import_module(f"{addon.__name__}.ui.field.presets").PRESETS
 
 
 @pytest.fixture

@@ -12,12 +12,12 @@ COLORS = np.array([(0, 0, 0, 1), (0.5, 0.5, 0.5, 1), (1, 0, 1, 0.25)], np.float3
 
 @pytest.fixture
 def segments(addon, surface):
-    return importlib.import_module(f"{addon.__name__}.blender.preview_geometry").segments
+    return importlib.import_module(f"{addon.__name__}.blender.lines.preview_geometry").segments
 
 
 @pytest.fixture
 def make_handler(addon):
-    return importlib.import_module(f"{addon.__name__}.ui.draw_handler").DrawHandler
+    return importlib.import_module(f"{addon.__name__}.ui.drawing.draw_handler").DrawHandler
 
 
 def isolines(*lines):

@@ -71,13 +71,13 @@ def test_what_is_dropped_has_written_nothing(solving):
 
 def test_a_solver_that_was_dropped_stops_and_keeps_nobody_waiting(solving, module, surface):
     obj = painted_sphere()
-    first = module("sessions").open_session(obj)
+    first = module("mesh.sessions").open_session(obj)
     background = solving(obj)
-    assert module("sessions").open_session(obj) is first
+    assert module("mesh.sessions").open_session(obj) is first
     background.stop()
-    assert module("sessions").open_session(obj) is not first
+    assert module("mesh.sessions").open_session(obj) is not first
     with pytest.raises(surface.CancelledError):
-        first.paint(module("painting").read_painting(obj), {})
+        first.paint(module("paint.painting").read_painting(obj), {})
 
 
 def test_an_object_that_was_renamed_gets_its_field(solving):
@@ -149,7 +149,7 @@ def test_closing_the_file_while_computing_does_no_harm(solving, surface):
 
 def test_closing_the_file_stops_what_is_computed_for_it(module, surface):
     obj = painted_sphere()
-    session, painting = module("sessions").open_session(obj), module("painting").read_painting(obj)
+    session, painting = module("mesh.sessions").open_session(obj), module("paint.painting").read_painting(obj)
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     with pytest.raises(surface.CancelledError):
         session.paint(painting, {})

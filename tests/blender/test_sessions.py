@@ -12,7 +12,7 @@ from scene import field_of, library_mesh, paint, painted_grid
 
 @pytest.fixture
 def sessions(addon):
-    module = importlib.import_module(f"{addon.__name__}.blender.sessions")
+    module = importlib.import_module(f"{addon.__name__}.blender.mesh.sessions")
     module.forget_all()
     return module
 

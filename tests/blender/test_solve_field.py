@@ -175,7 +175,7 @@ def test_solving_again_adds_no_data():
 
 def test_weight_reading_leaves_nothing_behind(addon, surface):
     obj = painted_grid()
-    painting = importlib.import_module(f"{addon.__name__}.blender.painting")
+    painting = importlib.import_module(f"{addon.__name__}.blender.paint.painting")
     before = len(bpy.data.scenes), len(bpy.data.objects), len(bpy.data.node_groups), obj.data.users
     painting.read_painting(obj)
     assert (len(bpy.data.scenes), len(bpy.data.objects), len(bpy.data.node_groups), obj.data.users) == before
@@ -189,7 +189,7 @@ def test_weight_reading_does_not_make_blender_evaluate_the_mesh_again(addon):
     def handler(scene, depsgraph):
         updated.extend(type(update.id).__name__ for update in depsgraph.updates)
 
-    importlib.import_module(f"{addon.__name__}.blender.painting").read_painting(obj)
+    importlib.import_module(f"{addon.__name__}.blender.paint.painting").read_painting(obj)
     bpy.app.handlers.depsgraph_update_post.append(handler)
     try:
         bpy.context.view_layer.update()

@@ -15,7 +15,7 @@ _PLACES = (np.arange(_PIXELS) + 0.5) / _PIXELS  # of the pixels of a row, from 0
 
 @pytest.fixture
 def stripes(addon):
-    return importlib.import_module(f"{addon.__name__}.blender.stripes")
+    return importlib.import_module(f"{addon.__name__}.blender.look.stripes")
 
 
 @pytest.fixture

@@ -35,10 +35,12 @@ def in_german():
 def written(addon):
     """Every text, in English."""
     ui = importlib.import_module(f"{addon.__name__}.ui")
-    tools = importlib.import_module(f"{addon.__name__}.ui.tools")
+    tools = importlib.import_module(f"{addon.__name__}.ui.patches.tools")
     found = {text for cls in ui._CLASSES for text in texts.of_class(cls)}
     found |= {text for tool in tools._TOOLS for text in (tool.bl_label, tool.bl_description)}
-    outputs = importlib.import_module(f"{addon.__name__}.ui.line_properties")._OUTPUTS  # one of them not in Blender 3
+    outputs = importlib.import_module(
+        f"{addon.__name__}.ui.lines.line_properties"
+    )._OUTPUTS  # one of them not in Blender 3
     found |= {text for _, *words in outputs for text in words}
     found |= {text for path in SOURCES for text in texts.of_source(path)}
     return {text for text in found if re.search("[A-Za-z]{2}", text)}

@@ -7,7 +7,7 @@ import numpy as np
 import screen
 from canvas import add_ball, ball, go_to, stroke
 from dirichlet_isolines.blender import live
-from dirichlet_isolines.blender.sessions import open_session
+from dirichlet_isolines.blender.mesh.sessions import open_session
 from scene import field_of
 from steps import Waiting, pictures, run, until
 from truth import colors_follow, is_fresh

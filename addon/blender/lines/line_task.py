@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Isolines in three steps: read the object, compute (in any thread, without Blender's data), write."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import bpy
+import numpy as np
+from numpy.typing import NDArray
+
+from ... import library
+from ...language import say
+from .. import results
+from ..look import ramp
+from ..mesh import attributes, evaluated, meshes
+from ..mesh.sessions import Session, open_session
+from ..stopwatch import Stopwatch
+from . import levels, result_drawing, result_objects, shaping
+
+
+@dataclass(frozen=True)
+class LineTask:
+    """All that the isolines of an object depend on, but the field's values."""
+
+    mesh: Any  # the library's Mesh
+    options: levels.LevelOptions
+    shape: shaping.ShapeOptions
+    positions: NDArray[np.float64] | None  # (V, 3) that the lines are moved to; nothing where they need not
+    table: ramp.ColorTable
+    clock: Stopwatch
+
+    def compute(self, values: NDArray[np.float32]) -> LineOutcome:
+        """values: (V,) as the mesh stores them, not all of them NaN. Raises the library's InputError."""
+        self.clock.restart()
+        ends = ramp.limits(values)
+        surface = library.load()
+        lines = surface.isolines(self.mesh, values, self.options.choose_on(self.mesh, values))
+        lines = self.shape.on_surface(self.mesh, lines)
+        if self.positions is not None:
+            lines = surface.move_lines(lines, self.positions)
+        lines = self.shape.in_space(lines)
+        self.clock.lap("isolines")
+        window = self.options.window_in(float(np.fmin.reduce(values)), float(np.fmax.reduce(values)))
+        factors = self.shape.factors(lines.levels, window)
+        return LineOutcome(self, lines, self.table.apply(lines.levels, ends), factors)
+
+
+@dataclass(frozen=True)
+class LineOutcome:
+    """Isolines that are computed but not written."""
+
+    task: LineTask
+    lines: Any  # the library's Isolines, in object space
+    colors: NDArray[np.float32]  # (K, 4) linear, one per level
+    factors: NDArray[np.float32]  # (K,) of the thickness, one per level
+
+
+@dataclass(frozen=True)
+class IsolineResult:
+    """What was computed and written."""
+
+    lines: Any  # the library's Isolines
+    object: bpy.types.Object  # the result they were written into
+    warnings: tuple[str, ...]
+    seconds: dict[str, float]  # "read", "connectivity", "isolines", "write"
+
+    @property
+    def summary(self) -> str:
+        """One line for people."""
+        lines = self.lines
+        return say(
+            "{lines} isolines at {levels} levels, {closed} closed",
+            lines=len(lines),
+            levels=len(lines.levels),
+            closed=int(lines.closed.sum()),
+        )
+
+
+def read(
+    obj: bpy.types.Object,
+    result: bpy.types.Object | None,
+    *,
+    session: Session | None = None,
+    depsgraph: bpy.types.Depsgraph | None = None,
+) -> LineTask:
+    """By what the result is made by, or by the object's settings for a new one. session: the object's, if it is open;
+    depsgraph: that of a handler. Raises the library's InputError and TopologyError, naming what is wrong with
+    the object."""
+    clock = Stopwatch()
+    meshes.require_mesh(obj)
+    session = session or open_session(obj)
+    settings = result_objects.settings_of(result, obj)
+    task = LineTask(
+        session.mesh,
+        levels.read_options(settings),
+        shaping.read_options(settings, session.arrays.diagonal),
+        _read_positions(obj, result, session, depsgraph),
+        ramp.read_table(obj),
+        clock,
+    )
+    clock.lap("read")
+    return task
+
+
+def read_values(obj: bpy.types.Object) -> NDArray[np.float32]:
+    """(V,) of the field that the mesh carries. Raises InputError when there is none, or none of it is defined."""
+    values = attributes.read_field(obj.data)
+    if np.isnan(values).all():
+        raise library.load().InputError(
+            say("the field of mesh '{mesh}' is undefined everywhere: run Solve Field again", mesh=obj.data.name)
+        )
+    return values
+
+
+def _read_positions(obj, result, session: Session, depsgraph) -> NDArray[np.float64] | None:
+    """Where the vertices are to be, unless it is where they are."""
+    if obj.dirichlet.use_modifiers:
+        return evaluated.require_positions(obj, session.arrays, depsgraph)
+    follows = result is not None and result.dirichlet_isolines.follow
+    return evaluated.read_positions(obj, session.arrays, depsgraph) if follows else None
+
+
+def write(obj: bpy.types.Object, outcome: LineOutcome, result: bpy.types.Object | None) -> IsolineResult:
+    """Puts the lines into the result, or into a new one bound to the object. Records `obj.dirichlet.results` when it is
+    the bound one."""
+    task, lines = outcome.task, outcome.lines
+    task.clock.restart()
+    settings = result_objects.settings_of(result, obj)
+    drawn = result_drawing.write(obj, result, lines, outcome.colors, outcome.factors, settings)
+    task.clock.lap("write")
+    seconds = task.clock.laps | {"connectivity": task.mesh.build_seconds}
+    made = IsolineResult(lines, drawn, tuple(lines.warnings), seconds)
+    if result_objects.find(obj) == drawn:
+        results.record_isolines(obj.dirichlet.results, made)
+    return made

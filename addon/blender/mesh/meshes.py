@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Mesh data-blocks as arrays."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import bpy
+import numpy as np
+from numpy.typing import NDArray
+
+from ... import library
+from ...language import say
+
+# foreach_get is fast only into a buffer of Blender's own C type: float32 for coordinates, unsigned for indices.
+
+
+def require_mesh(obj: bpy.types.Object) -> None:
+    """Raises InputError unless the object is a mesh whose data can be read now."""
+    if obj.type != "MESH":
+        raise library.load().InputError(
+            say("object '{object}' is not a mesh but of type {type}", object=obj.name, type=obj.type)
+        )
+    if obj.mode == "EDIT":
+        raise library.load().InputError(
+            say("object '{object}' is in Edit Mode: leave it first, its mesh cannot be read", object=obj.name)
+        )
+
+
+class Arrays(NamedTuple):
+    """A mesh data-block in numbers, in object space, without modifiers or shape keys."""
+
+    positions: NDArray[np.float32]  # (V, 3)
+    offsets: NDArray[np.int32]  # (F + 1,)
+    corners: NDArray[np.int32]  # (C,)
+
+    @property
+    def diagonal(self) -> float:
+        """Of the bounding box; 0 without vertices."""
+        return float(np.linalg.norm(np.ptp(self.positions, axis=0))) if len(self.positions) else 0.0
+
+    def same_faces(self, other: Arrays) -> bool:
+        return (
+            len(self.positions) == len(other.positions)
+            and np.array_equal(self.offsets, other.offsets)
+            and np.array_equal(self.corners, other.corners)
+        )
+
+    def same(self, other: Arrays) -> bool:
+        return self.same_faces(other) and np.array_equal(self.positions, other.positions)
+
+
+def read_arrays(mesh: bpy.types.Mesh) -> Arrays:
+    return Arrays(_read_positions(mesh), *read_polygons(mesh))
+
+
+def build(arrays: Arrays):
+    """The dirichlet_surface.Mesh. Raises the library's InputError (no faces, a coordinate that is not finite) and
+    TopologyError."""
+    return library.load().Mesh(arrays.positions.astype(np.float64), (arrays.offsets, arrays.corners))
+
+
+def read_mesh(mesh: bpy.types.Mesh):
+    """The dirichlet_surface.Mesh of a mesh data-block. Raises what `build` raises."""
+    return build(read_arrays(mesh))
+
+
+def read_positions(mesh: bpy.types.Mesh) -> NDArray[np.float64]:
+    """(V, 3)"""
+    return _read_positions(mesh).astype(np.float64)
+
+
+def _read_positions(mesh: bpy.types.Mesh) -> NDArray[np.float32]:
+    positions = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", positions)
+    return positions.reshape(-1, 3)
+
+
+def read_polygons(mesh: bpy.types.Mesh) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+    """Offsets (F + 1,) and corners (C,)."""
+    corners, starts, sizes = (np.empty(len(items), np.uint32) for items in (mesh.loops, mesh.polygons, mesh.polygons))
+    stored = mesh.attributes.get(".corner_vert")  # from Blender 3.6 on, and many times faster there
+    if stored:
+        stored.data.foreach_get("value", corners.view(np.int32))
+    else:
+        mesh.loops.foreach_get("vertex_index", corners)
+    mesh.polygons.foreach_get("loop_start", starts)
+    mesh.polygons.foreach_get("loop_total", sizes)
+    offsets = np.concatenate(([0], np.cumsum(sizes, dtype=np.int64)))
+    if not np.array_equal(offsets[:-1], starts):  # before Blender 3.6 faces may own any stretch of the loops
+        corners = corners[np.repeat(starts - offsets[:-1], sizes) + np.arange(offsets[-1])]
+    return offsets.astype(np.int32), corners.view(np.int32)
+
+
+def read_edges(mesh: bpy.types.Mesh) -> NDArray[np.int32]:
+    """(E, 2)"""
+    edges = np.empty(2 * len(mesh.edges), np.uint32)
+    mesh.edges.foreach_get("vertices", edges)
+    return edges.view(np.int32).reshape(-1, 2)
+
+
+def selected_vertices(mesh: bpy.types.Mesh) -> NDArray[np.intp]:
+    """Indices, ascending."""
+    selected = np.empty(len(mesh.vertices), bool)
+    mesh.vertices.foreach_get("select", selected)
+    return np.flatnonzero(selected)
+
+
+def diagonal(mesh: bpy.types.Mesh) -> float:
+    """Of the bounding box, in object space; 0 without vertices."""
+    return float(np.linalg.norm(np.ptp(read_positions(mesh), axis=0))) if len(mesh.vertices) else 0.0

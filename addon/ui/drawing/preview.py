@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Isolines in the 3D viewports, drawn straight from their arrays: nothing is added to the file."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import bpy
+import gpu
+from bpy.app.handlers import persistent
+
+from . import line_drawing
+from .draw_handler import DrawHandler
+
+_drawn: dict[int, _Drawn] = {}  # by the address of the object
+
+
+class _Drawn(NamedTuple):
+    """What the graphics card has of an object's Preview."""
+
+    version: int
+    batch: gpu.types.GPUBatch | None  # None: there is nothing to draw, or it cannot be drawn
+
+
+def register() -> None:
+    _handler.register()
+    bpy.app.handlers.load_post.append(_loaded)
+
+
+def unregister() -> None:
+    bpy.app.handlers.load_post.remove(_loaded)
+    _handler.unregister()
+    _drawn.clear()
+
+
+@persistent
+def _loaded(path) -> None:
+    _drawn.clear()
+
+
+def _draw() -> None:
+    """Draws the lines of all objects that this viewport shows.
+
+    Lines that cannot be drawn are said once, with the traceback, and left out until they change.
+    """
+    from ...blender import live
+
+    for obj in _shown(bpy.context):
+        preview, key = live.preview_of(obj), obj.as_pointer()
+        if preview is None:
+            continue
+        try:
+            if key not in _drawn or _drawn[key].version != preview.version:
+                _forget_unused()
+                _drawn[key] = _Drawn(preview.version, line_drawing.build(preview.lines, preview.colors))
+            if _drawn[key].batch:
+                _draw_lines(obj, _drawn[key].batch)
+        except Exception:
+            _drawn[key] = _Drawn(preview.version, None)
+            traceback.print_exc()
+
+
+def _forget_unused() -> None:
+    used = {obj.as_pointer() for obj in bpy.data.objects if obj.dirichlet.preview}
+    for key in _drawn.keys() - used:
+        del _drawn[key]
+
+
+def _shown(context: bpy.types.Context) -> Iterator[bpy.types.Object]:
+    space, layer = context.space_data, context.view_layer
+    if space.overlay.show_overlays:
+        for obj in layer.objects:
+            if obj.type == "MESH" and obj.dirichlet.preview and obj.visible_get(view_layer=layer, viewport=space):
+                yield obj
+
+
+def _draw_lines(obj: bpy.types.Object, batch: gpu.types.GPUBatch) -> None:
+    settings = obj.dirichlet
+    line_drawing.draw(batch, obj.matrix_world, settings.preview_width, hidden=not settings.preview_xray)
+
+
+_handler = DrawHandler(_draw, "POST_VIEW")

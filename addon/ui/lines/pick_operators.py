@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Picking from the surface."""
+
+import bpy
+from bpy.props import FloatVectorProperty
+
+from ... import library
+from ...language import label, say
+from ..common import poll_field, poll_mesh
+from ..drawing import pointer
+
+_VIEW = {"MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "TRACKPADPAN", "TRACKPADZOOM"}  # may go on meanwhile
+
+
+class DIRICHLET_OT_pick_level(bpy.types.Operator):
+    bl_idname = "dirichlet.pick_level"
+    bl_label = "Pick Level"
+    bl_description = (
+        "Click on the surface for the isoline through that point: its value joins the listed levels. From another mode "
+        "it starts the list anew"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    location: FloatVectorProperty(
+        name="Location",
+        description="Point that the isoline runs through, in object space; the nearest point of the mesh is taken",
+        subtype="XYZ",
+    )
+
+    @classmethod
+    def poll(cls, context):
+        return poll_mesh(cls, context) and poll_field(cls, context)
+
+    def execute(self, context):
+        from ...blender.lines import level_picking
+
+        try:
+            level = level_picking.add_level(context.active_object, self.location)
+        except library.refusals() as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self.report({"INFO"}, say("Level {level:.7g}", level=level))
+        return {"FINISHED"}
+
+    def invoke(self, context, event):
+        context.window.cursor_modal_set("EYEDROPPER")
+        context.workspace.status_text_set(label("Click: isoline through that point   Esc, right button: cancel"))
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type in {"ESC", "RIGHTMOUSE"}:
+            self._end(context)
+            return {"CANCELLED"}
+        if event.type != "LEFTMOUSE" or event.value != "PRESS":
+            return {"RUNNING_MODAL" if event.value == "PRESS" and event.type not in _VIEW else "PASS_THROUGH"}
+        self._end(context)
+        place = pointer.find(context, event)
+        hit = place.hit(context) if place else None
+        if hit is None:
+            self.report(
+                {"WARNING"}, say("There is nothing of '{object}' under the pointer", object=context.active_object.name)
+            )
+            return {"CANCELLED"}
+        self.location = hit.location
+        return self.execute(context)
+
+    def cancel(self, context):
+        self._end(context)
+
+    def _end(self, context) -> None:
+        context.window.cursor_modal_restore()
+        context.workspace.status_text_set(None)
+
+
+CLASSES = (DIRICHLET_OT_pick_level,)

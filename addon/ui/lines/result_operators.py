@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operators on a result: the active object, or that of the Properties editor."""
+
+import bpy
+
+from ... import library
+from ...blender.lines import result_objects
+from ...language import say
+from ..common import report_made
+
+
+class DIRICHLET_OT_result_refresh(bpy.types.Operator):
+    bl_idname = "dirichlet.result_refresh"
+    bl_label = "Refresh"
+    bl_description = (
+        "Make these isolines anew from the field that their mesh object has now, by the settings shown below"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        if not _poll_result(cls, context):
+            return False
+        if context.object.dirichlet_isolines.locked:
+            cls.poll_message_set(say("These isolines are locked: switch off Lock first"))
+            return False
+        return True
+
+    def execute(self, context):
+        from ...blender import pipeline
+
+        try:
+            made = pipeline.refresh(context.object)
+        except library.refusals() as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return report_made(self, made)
+
+
+class DIRICHLET_OT_result_remove(bpy.types.Operator):
+    bl_idname = "dirichlet.result_remove"
+    bl_label = "Remove"
+    bl_description = "Remove these isolines: object, data and materials made for them. Their mesh object becomes active"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return _poll_result(cls, context)
+
+    def execute(self, context):
+        result = context.object
+        _activate(context, result.dirichlet_isolines.source)
+        result_objects.remove(result)
+        return {"FINISHED"}
+
+
+class DIRICHLET_OT_result_select_source(bpy.types.Operator):
+    bl_idname = "dirichlet.result_select_source"
+    bl_label = "Select Source"
+    bl_description = "Select the mesh object that these isolines were made of, and make it active"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        if not _poll_result(cls, context):
+            return False
+        if context.object.dirichlet_isolines.source.name not in context.view_layer.objects:
+            cls.poll_message_set(say("The mesh object is not in this view layer"))
+            return False
+        return True
+
+    def execute(self, context):
+        _activate(context, context.object.dirichlet_isolines.source)
+        return {"FINISHED"}
+
+
+def _poll_result(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
+    if context.object is None or not result_objects.is_result(context.object):
+        cls.poll_message_set(say("Select isolines first: an object that Make Isolines made"))
+    elif context.mode != "OBJECT":
+        cls.poll_message_set(say("Go to Object Mode first"))
+    elif context.object.library or context.object.override_library:
+        cls.poll_message_set(say("The isolines are linked from another file: make them and their data local first"))
+    else:
+        return True
+    return False
+
+
+def _activate(context: bpy.types.Context, obj: bpy.types.Object) -> None:
+    """Selects the object alone, where this view layer has it."""
+    for other in context.selected_objects:
+        other.select_set(False)
+    if obj.name in context.view_layer.objects:
+        obj.select_set(True)
+        context.view_layer.objects.active = obj
+
+
+CLASSES = (DIRICHLET_OT_result_refresh, DIRICHLET_OT_result_remove, DIRICHLET_OT_result_select_source)

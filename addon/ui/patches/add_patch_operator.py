@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Adding a disc patch: by a press and a drag on the surface, or from a script."""
+
+import bpy
+from bpy.props import FloatProperty, FloatVectorProperty, IntProperty
+
+from ... import library
+from ...language import label, say
+from ..common import poll_mesh
+from ..drawing.pointer import Pointer
+from . import outline
+
+_STILL = 4  # pixels that a hand moves without meaning to drag
+
+
+class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
+    bl_idname = "dirichlet.add_patch_disc"
+    bl_label = "Add Patch"
+    bl_description = (
+        "Press on the surface to add a disc of vertices as a new vertex group and patch, with the next value; drag to "
+        "set its radius along the surface. Esc or the right button leaves everything as it was"
+    )
+    bl_options = {"REGISTER", "UNDO", "BLOCKING"}
+
+    location: FloatVectorProperty(
+        name="Location",
+        description="Middle of the disc, in object space; the nearest point of the mesh is taken",
+        subtype="XYZ",
+    )
+    radius: FloatProperty(
+        name="Radius",
+        description="Radius along the surface, in object space; 0: the one used last on this object",
+        min=0.0,
+        precision=4,
+    )
+    face: IntProperty(
+        name="Face", description="Polygon with the middle, where known; -1: the nearest", default=-1, options={"HIDDEN"}
+    )
+
+    @classmethod
+    def poll(cls, context):
+        return poll_mesh(cls, context)
+
+    def execute(self, context):
+        from ...blender.paint import discs
+
+        obj = context.active_object
+        try:
+            self.radius = self.radius or discs.default_radius(obj)
+            count = discs.add_disc(obj, self.location, self.radius, self.face if self.face >= 0 else None)
+        except library.refusals() as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self.report({"INFO"}, say("A patch of {count} vertices, radius {radius:.4g}", count=count, radius=self.radius))
+        return {"FINISHED"}
+
+    def invoke(self, context, event):
+        from ...blender.paint import discs
+
+        obj = context.active_object
+        if context.region is None or context.region.type != "WINDOW":
+            self.report({"ERROR"}, "Press on the surface in a 3D viewport, or give the location")
+            return {"CANCELLED"}
+        self._pointer = Pointer(context.area, context.region, event)
+        self._hit = self._pointer.hit(context)
+        if self._hit is None:
+            self.report({"WARNING"}, say("There is nothing of '{object}' under the pointer", object=obj.name))
+            return {"CANCELLED"}
+        try:
+            self._disc = discs.Disc(obj, self._hit.location, self._hit.face)
+            self._disc.resize(discs.default_radius(obj))
+        except library.refusals() as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self._start, self._dragged = self._pointer.place, False
+        self._outline = outline.Outline(obj)
+        self._show()
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        if event.type in {"ESC", "RIGHTMOUSE"}:
+            self._end()
+            return {"CANCELLED"}
+        if event.type == "LEFTMOUSE" and event.value == "RELEASE":
+            self._end()
+            self.location, self.radius = self._hit.location, self._disc.radius
+            self.face = -1 if self._hit.face is None else self._hit.face
+            return self.execute(context)
+        if event.type == "MOUSEMOVE":
+            self._drag(context, event)
+        return {"RUNNING_MODAL"}
+
+    def cancel(self, context):
+        self._end()
+
+    def _drag(self, context, event) -> None:
+        self._pointer.move(event)
+        self._dragged = self._dragged or (self._pointer.place - self._start).length > _STILL
+        if self._dragged:
+            world = self._pointer.at_depth_of(self._hit.shown) - self._hit.shown
+            across = context.active_object.matrix_world.inverted_safe().to_3x3() @ world
+            self._disc.resize(across.length)
+            self._show()
+
+    def _show(self) -> None:
+        self._outline.set(*self._disc.outline())
+        self._pointer.area.header_text_set(
+            label(
+                "Patch of {count} vertices, radius {radius:.4g}   Drag: radius   Release: add   Esc, right button: no",
+                count=len(self._disc.vertices),
+                radius=self._disc.radius,
+            )
+        )
+        self._pointer.area.tag_redraw()
+
+    def _end(self) -> None:
+        self._outline.remove()
+        self._pointer.area.header_text_set(None)
+        self._pointer.area.tag_redraw()
+
+
+CLASSES = (DIRICHLET_OT_add_patch_disc,)
