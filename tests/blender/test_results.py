@@ -187,6 +187,25 @@ def test_thickness_of_a_result_of_its_own_is_changed_at_once(sheet):
     assert result.data.bevel_depth == pytest.approx(2 * before)
 
 
+@pytest.mark.parametrize("output", ["MESH", "CURVE"])
+def test_a_result_with_its_own_settings_keeps_them_in_another_output(sheet, output):
+    sheet.dirichlet.output = "CURVE" if output == "MESH" else "MESH"
+    result = make(sheet)
+    result.parent = None
+    note = result.dirichlet_isolines
+    note.count, note.smooth, note.follow, note.output = 7, 3, True, output
+    name = result.name
+    for _ in range(2):
+        refresh(bpy.data.objects[name])
+        note = bpy.data.objects[name].dirichlet_isolines
+        assert (note.source, note.count, note.smooth, note.follow, note.output) == (sheet, 7, 3, True, output)
+        assert bpy.data.objects[name].type == output
+        assert sheet.dirichlet.count == 13
+    points = bpy.data.objects[name].data
+    lines = points.attributes["dirichlet_line"].data if output == "MESH" else points.splines
+    assert len({item.value for item in lines} if output == "MESH" else lines) == 7
+
+
 def test_removing_takes_data_and_materials_and_selects_the_source(sheet):
     counts = data_counts()
     result = make(sheet)

@@ -127,8 +127,7 @@ def write(obj: bpy.types.Object, outcome: LineOutcome, result: bpy.types.Object 
     the bound one."""
     task, lines = outcome.task, outcome.lines
     task.clock.restart()
-    settings = result_objects.settings_of(result, obj)
-    drawn = result_drawing.write(obj, result, lines, outcome.colors, outcome.factors, settings)
+    drawn = result_drawing.write(obj, result, lines, outcome.colors, outcome.factors)
     task.clock.lap("write")
     seconds = task.clock.laps | {"connectivity": task.mesh.build_seconds}
     made = IsolineResult(lines, drawn, tuple(lines.warnings), seconds)

@@ -21,13 +21,13 @@ def write(
     lines,
     colors: NDArray[np.float32],
     factors: NDArray[np.float32],
-    settings,
 ) -> bpy.types.Object:
-    """Puts lines into the result, or into a new one bound to the mesh object; one of another type than the settings'
+    """Puts lines into the result, or into a new one bound to the mesh object; one of another type than its settings'
     output is replaced. Returns the result.
 
     lines: the library's Isolines; colors: (K, 4) linear and factors: (K,) of the thickness, one per level.
     """
+    settings = result_objects.settings_of(result, source)
     output = _OUTPUTS[settings.output]
     drawing = draw(lines, colors, factors, settings.bevel_depth * meshes.diagonal(source.data))
     if result is None:
@@ -38,7 +38,7 @@ def write(
         result.data = result.data.copy()
     result_objects.link(result, source)
     output.write(result.data, drawing, source.name)
-    result_objects.remember(result, source, settings)
+    result_objects.remember(result, source)
     return result
 
 

@@ -87,19 +87,21 @@ def link(result: bpy.types.Object, source: bpy.types.Object) -> None:
             collection.objects.link(result)
 
 
-def remember(result: bpy.types.Object, source: bpy.types.Object, settings: bpy.types.PropertyGroup) -> None:
+def remember(result: bpy.types.Object, source: bpy.types.Object) -> None:
     """Notes what the result was made of and by."""
     note = result.dirichlet_isolines
     if note.source != source:
         note.source = source
-    line_settings.copy(settings, note)
+    line_settings.copy(settings_of(result, source), note)
 
 
 def replace(result: bpy.types.Object, data: bpy.types.ID) -> bpy.types.Object:
     """An object with data of another type in the place of the result: name, parent, children, collections, transform,
-    visibility and selection. Modifiers and constraints stay behind. The result is gone afterwards."""
+    visibility, selection and settings. Modifiers and constraints stay behind. The result is gone afterwards, and its
+    settings with it: `settings_of` has the new ones."""
     made, name, note = bpy.data.objects.new(data.name, data), result.name, result.dirichlet_isolines
-    made.dirichlet_isolines.source, made.dirichlet_isolines.follow = note.source, note.follow
+    made.dirichlet_isolines.source = note.source
+    line_settings.copy(note, made.dirichlet_isolines)
     if find(note.source) == result:
         note.source.dirichlet.isolines = made
     made.parent, made.matrix_parent_inverse = result.parent, result.matrix_parent_inverse
