@@ -192,6 +192,62 @@ def test_duplicated_object_gets_a_ramp_of_its_own(material):
     assert material.find(obj).node_tree.nodes["Dirichlet Range"].inputs["From Max"].default_value == 1
 
 
+@pytest.mark.parametrize("write", ["solve", "ramp", "stripes"])
+def test_a_material_of_another_file_is_copied_and_not_written(material, write, tmp_path):
+    painted_grid()
+    solve()
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "other.blend"))
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    obj = painted_grid()
+    solve()
+    own = material.find(obj)
+    with bpy.data.libraries.load(str(tmp_path / "other.blend"), link=True) as (_, taken):
+        taken.materials = [own.name]
+    (linked,) = taken.materials
+    obj.material_slots[0].material = linked
+    stops = [tuple(stop.color) for stop in linked.node_tree.nodes["Dirichlet Ramp"].color_ramp.elements]
+    if write == "solve":
+        obj.dirichlet.patches[1].value = 50.0
+        solve()
+        assert material.find(obj).node_tree.nodes["Dirichlet Range"].inputs["From Max"].default_value == 50
+    elif write == "ramp":
+        obj.dirichlet.ramp_preset = "grey"
+        assert len(set(material.find_ramp(obj).color_ramp.elements[0].color[:3])) == 1
+    else:
+        assert bpy.ops.dirichlet.add_stripes() == {"FINISHED"}
+    assert not material.find(obj).library
+    tree = linked.node_tree
+    assert tree.nodes["Dirichlet Range"].inputs["From Max"].default_value == 1
+    assert [tuple(stop.color) for stop in tree.nodes["Dirichlet Ramp"].color_ramp.elements] == stops
+    assert len(tree.nodes) == len(own.node_tree.nodes)
+
+
+def test_colors_of_a_mesh_that_lost_its_vertices_are_none(capfd):
+    obj = painted_grid()
+    solve()
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.delete(type="VERT")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert bpy.ops.dirichlet.update_colors() == {"FINISHED"}
+    obj.dirichlet.ramp_preset = "grey"
+    assert "Traceback" not in "".join(capfd.readouterr())
+    assert not len(obj.data.attributes["dirichlet_color"].data)
+
+
+@pytest.mark.parametrize("text", ["red", "[]", "[" * 100_000], ids=["a word", "a list", "too deep"])
+@pytest.mark.parametrize("before", [True, False])
+def test_stops_that_are_none_give_the_ramp_chosen(material, text, before, capfd):
+    obj = painted_grid()
+    obj.dirichlet.ramp_preset = "grey"
+    if before:
+        solve()
+    obj.dirichlet.ramp_stops = text
+    solve()
+    assert len(set(material.find_ramp(obj).color_ramp.elements[0].color[:3])) == 1
+    assert "Traceback" not in "".join(capfd.readouterr())
+
+
 def test_renamed_material_is_found_again():
     obj = painted_grid()
     solve()

@@ -29,12 +29,14 @@ def read(obj: bpy.types.Object) -> str:
 
 
 def apply(obj: bpy.types.Object) -> None:
-    """Gives the object's ramp, if it has one, the look that its settings name: `ramp_stops`, else `ramp_preset`."""
-    node, chosen = material.find_ramp(obj), obj.dirichlet
-    if node is None:
+    """Gives the object's ramp, if it has one, the look that its settings name: `ramp_stops`, if they are one, else
+    `ramp_preset`."""
+    chosen = obj.dirichlet
+    if material.find(obj) is None:
         return
-    ramp = node.color_ramp
-    if not chosen.ramp_stops:
+    material.require_own(obj)
+    ramp = material.find_ramp(obj).color_ramp
+    if not chosen.ramp_stops or not is_look(chosen.ramp_stops):
         material.set_stops(ramp, library.load("ramps").RAMPS[chosen.ramp_preset])
         return
     look = json.loads(chosen.ramp_stops)
@@ -50,7 +52,7 @@ def is_look(text: str) -> bool:
     try:
         look = json.loads(text)
         return all(look[name] in modes for name, modes in _MODES.items()) and _are_stops(look["stops"])
-    except (ValueError, TypeError, KeyError):
+    except (ValueError, TypeError, KeyError, RecursionError):
         return False
 
 

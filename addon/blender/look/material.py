@@ -89,16 +89,12 @@ def new_with_nodes(name: str) -> tuple[bpy.types.Material, bpy.types.ShaderNodeB
 
 
 def require_own(obj: bpy.types.Object) -> bpy.types.Material:
-    """The object's field material, copied first if other objects use it. Raises InputError when there is none, or when
-    it belongs to another file."""
+    """The object's field material, copied first if other objects use it or it belongs to another file. Raises InputError
+    when there is none."""
     found = find(obj)
     if found is None:
         raise library.load().InputError(
             say("object '{object}' has no field material: run Solve Field first", object=obj.name)
-        )
-    if found.library:
-        raise library.load().InputError(
-            say("material '{name}' is linked from another file: make it local first", name=found.name)
         )
     own = _single_user(obj, found)
     for slot in obj.material_slots:
@@ -138,9 +134,10 @@ def _assign(slot: bpy.types.MaterialSlot, material: bpy.types.Material) -> bool:
 
 
 def _single_user(obj: bpy.types.Object, material: bpy.types.Material) -> bpy.types.Material:
-    """The material, or a copy when other objects use it: a duplicated object gets a range and a ramp of its own."""
+    """The material, or a copy when other objects use it or it belongs to another file: a duplicated object gets a range
+    and a ramp of its own."""
     ours = sum(slot.material == material for slot in obj.material_slots) + material.use_fake_user
-    return material.copy() if material.users > ours else material
+    return material.copy() if material.library or material.users > ours else material
 
 
 def _build(name: str, stops: Stops, undefined: tuple[float, float, float]) -> bpy.types.Material:
