@@ -44,5 +44,5 @@ def limit_threads() -> None:
 
 def begin(settings: bpy.types.PropertyGroup) -> None:
     """Gives the settings of an object that begins with its first patch what the user prefers, where nothing was set."""
-    if not settings.is_property_set("ramp_preset"):
+    if not settings.is_property_set("ramp_preset") and not settings.ramp_stops:
         settings.ramp_preset = get().ramp

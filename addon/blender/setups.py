@@ -20,6 +20,7 @@ from . import settings
 from .look import looks
 
 Setup = dict[str, Any]  # by the name of the setting; not all need be there
+_PLACES = {"window_low_place", "window_high_place"}  # in the field's range
 
 
 def read(obj: bpy.types.Object) -> Setup:
@@ -29,11 +30,15 @@ def read(obj: bpy.types.Object) -> Setup:
 def write(obj: bpy.types.Object, setup: Setup) -> None:
     """Sets what the setup holds. A ramp comes with its stops, also where the user has edited them.
 
-    Raises InputError, before anything is written, naming a setting that does not exist or cannot take its value.
+    Raises InputError, before anything is written, naming a setting that does not exist or cannot take its value, and
+    for a window in the range of a field that is not there.
     """
     group = obj.dirichlet
     for name, value in setup.items():
         _require(group, name, value)
+    if setup.keys() & _PLACES:
+        _require_range(obj)
+        group.window_auto = True  # an end stops before the other one: before those it is to have, not those it had
     if "ramp_preset" in setup:
         setup = {"ramp_stops": ""} | setup
     settings.write(group, {name: value for name, value in setup.items() if name != "ramp_stops"})
@@ -48,8 +53,8 @@ def load(path: Path) -> Setup:
         if isinstance(setup, dict):
             return setup
         reason = say("it does not hold settings")
-    except (OSError, SyntaxError, ValueError) as error:
-        reason = str(error)
+    except (OSError, SyntaxError, ValueError, TypeError, RecursionError, MemoryError) as error:
+        reason = str(error) or type(error).__name__
     raise library.load().InputError(say("preset '{name}' cannot be read: {reason}", name=path.stem, reason=reason))
 
 
@@ -61,6 +66,16 @@ def save(setup: Setup, path: Path) -> None:
         os.replace(part, path)
     finally:
         part.unlink(missing_ok=True)
+
+
+def _require_range(obj: bpy.types.Object) -> None:
+    if not obj.dirichlet.results.solved:
+        raise library.load().InputError(
+            say(
+                "object '{object}' has no field whose range the window can be a part of: run Solve Field first",
+                object=obj.name,
+            )
+        )
 
 
 def _require(group: bpy.types.PropertyGroup, name: str, value: Any) -> None:

@@ -62,11 +62,16 @@ def test_only_the_first_patch_brings_the_preferred_ramp(preferences, monkeypatch
     monkeypatch.setattr(preferences, "DEFAULTS", preferences.Preferences(ramp="viridis"))
     fresh, chosen, begun = grid(name="fresh"), grid(name="chosen"), painted_sphere()
     chosen.dirichlet.ramp_preset = "rainbow"
-    for obj in (fresh, chosen, begun):
+    bpy.context.view_layer.objects.active = brought = grid(name="brought")
+    bpy.ops.dirichlet.apply_preset(preset="TOPOGRAPHIC")
+    stops = brought.dirichlet.ramp_stops
+    for obj in (fresh, chosen, begun, brought):
         bpy.context.view_layer.objects.active = obj
         obj.vertex_groups.new(name="another")
         bpy.ops.dirichlet.patch_add_group(group="another")
     assert [obj.dirichlet.ramp_preset for obj in (fresh, chosen, begun)] == ["viridis", "rainbow", "rainbow"]
+    assert (brought.dirichlet.ramp_preset, brought.dirichlet.ramp_stops) == ("rainbow", stops)
+    assert stops
 
 
 def test_the_memory_budget_makes_the_automatic_method_turn_to_multigrid(preferences, pipeline, monkeypatch):

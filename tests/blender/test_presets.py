@@ -147,6 +147,27 @@ def test_choosing_a_ramp_ends_the_stops_of_a_preset():
     assert stops(obj) == rainbow
 
 
+@pytest.mark.parametrize("before", [(0.0, 0.2), (9.0, 9.5), (-3.0, 20.0), None])
+def test_the_band_is_in_the_middle_of_the_range_whatever_the_window_was(before):
+    obj = painted_grid()
+    obj.dirichlet.patches[1].value = 10.0
+    bpy.ops.dirichlet.solve_field()
+    if before:
+        obj.dirichlet.window_low, obj.dirichlet.window_high = before
+    bpy.ops.dirichlet.apply_preset(preset="WINDOW_BAND")
+    assert (obj.dirichlet.window_low, obj.dirichlet.window_high) == pytest.approx((4, 6))
+    assert obj.dirichlet.window_auto is False
+
+
+def test_a_window_in_the_range_of_the_field_waits_for_the_field():
+    obj = painted_grid()
+
+    def apply(*context):
+        return bpy.ops.dirichlet.apply_preset(*context, preset="WINDOW_BAND")
+
+    assert_refused(apply, obj, "object 'Grid' has no field whose range the window can be a part of")
+
+
 def test_every_preset_that_comes_with_the_addon_does_what_it_says_again_and_again(presets, setups):
     obj = solved()
     for name, preset in presets.items():
@@ -170,7 +191,11 @@ def test_every_preset_that_comes_with_the_addon_does_what_it_says_again_and_agai
         ("{'patches': []}", "no setting 'patches'"),
         ("[1, 2]", "preset 'bad' cannot be read: it does not hold settings"),
         ("import os", "preset 'bad' cannot be read: "),
+        ("{[]: 1}", "preset 'bad' cannot be read: "),
+        ("-" * 3_000 + "1", "preset 'bad' cannot be read: "),
+        ("-" * 100_000 + "1", "preset 'bad' cannot be read: "),
     ],
+    ids=range(10),
 )
 def test_a_file_that_is_no_preset_is_refused(tmp_path, text, sentence):
     (tmp_path / "bad.py").write_text(text)

@@ -89,8 +89,8 @@ def new_with_nodes(name: str) -> tuple[bpy.types.Material, bpy.types.ShaderNodeB
 
 
 def require_own(obj: bpy.types.Object) -> bpy.types.Material:
-    """The object's field material, copied first if other objects use it or it belongs to another file. Raises InputError
-    when there is none."""
+    """The object's field material, copied first if other objects use it or it belongs to another file. Raises
+    InputError when there is none."""
     found = find(obj)
     if found is None:
         raise library.load().InputError(

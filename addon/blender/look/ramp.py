@@ -19,7 +19,7 @@ _PLACES = 1 << 16  # of the table that many values are looked up in
 def limits(values: NDArray[np.floating]) -> tuple[float, float]:
     """What the ends of the ramp stand for: the range of the defined values, widened when it is one number alone, so
     that a constant field takes the middle of the ramp. NaN without defined values."""
-    low, high = (float(end.reduce(values, initial=np.nan)) for end in (np.fmin, np.fmax))  # of what is not NaN, without a copy
+    low, high = (float(end.reduce(values, initial=np.nan)) for end in (np.fmin, np.fmax))  # passes NaN over, no copy
     margin = 0.0 if high > low else max(1.0, abs(low))
     return low - margin, high + margin
 
