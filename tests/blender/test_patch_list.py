@@ -169,6 +169,20 @@ def test_overlapping_patches_name_each_other_and_rows_that_are_off_take_no_part(
     assert facts["b"] == (0, "")
 
 
+def test_a_group_that_is_listed_twice_is_called_that():
+    obj = three_patches()
+    paint(obj, "a", [40, 41, 52, 53], weight=0.25)
+    twin = obj.dirichlet.patches.add()
+    twin.group, twin.weights_as_values = "a", True
+    paint(obj, "b", [41])
+    bpy.ops.dirichlet.check_patches()
+    first, second, _, last = sorted(obj.dirichlet.patches, key=lambda patch: patch.group)
+    assert (first.vertices, second.vertices) == (1, 5)
+    assert first.problem.startswith("The vertex group is in the list twice; Not a disc")
+    assert second.problem.startswith("The vertex group is in the list twice; Overlaps 'b'; Not connected")
+    assert "twice" not in last.problem
+
+
 def test_solving_counts_and_checks_the_patches():
     obj = painted_grid()
     paint(obj, "left", [5])
@@ -196,6 +210,8 @@ def test_the_warning_explains_itself_in_its_tooltip(addon):
     operator = bpy.types.DIRICHLET_OT_check_patches
     assert operator.description(bpy.context, type("Row", (), {"index": 0})).startswith(problem)
     assert operator.description(bpy.context, type("All", (), {"index": -1})) == operator.bl_description
+    bpy.context.view_layer.objects.active = None
+    assert operator.description(bpy.context, type("Row", (), {"index": 0})) == operator.bl_description
 
 
 def test_a_group_that_is_gone_is_named_by_the_check():

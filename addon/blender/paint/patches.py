@@ -76,22 +76,27 @@ def record_facts(obj: bpy.types.Object, mesh: Any, painted: Sequence[Any]) -> No
     """
     names = [patch.name for patch in painted]
     found = library.load().inspect_patches(mesh, [patch.vertices for patch in painted])
-    facts = {name: (fact.vertices, "; ".join(_problems(fact, names))) for name, fact in zip(names, found)}
+    facts: dict[str, list[tuple[int, str]]] = {name: [] for name in names}
+    for name, fact in zip(names, found):
+        facts[name].append((fact.vertices, "; ".join(_problems(fact, name, names))))
     for row in obj.dirichlet.patches:
-        vertices, problem = facts.get(row.group, (0, "")) if row.enabled else (0, "")
+        known = facts.get(row.group) if row.enabled else None
+        vertices, problem = known.pop(0) if known else (0, "")
         if (row.vertices, row.problem) != (vertices, problem):  # a write evaluates the object anew
             row.vertices, row.problem = vertices, problem
 
 
-def _problems(fact: Any, names: Sequence[str]) -> list[str]:
-    """What keeps a patch from being one disc, or one closed line, apart from all others."""
+def _problems(fact: Any, name: str, names: Sequence[str]) -> list[str]:
+    """What keeps the patch of that name from being one disc, or one closed line, apart from all others."""
+    problems = [say("The vertex group is in the list twice")] if names.count(name) > 1 else []
     if not fact.vertices:
-        return [say("Empty: no weight in the vertex group reaches the threshold")]
-    others = ", ".join(repr(names[other]) for other in fact.overlaps)
-    overlaps = [say("Overlaps {others}", others=others)] if others else []
+        return [*problems, say("Empty: no weight in the vertex group reaches the threshold")]
+    others = ", ".join(repr(names[other]) for other in fact.overlaps if names[other] != name)
+    if others:
+        problems.append(say("Overlaps {others}", others=others))
     if fact.components > 1:
-        return [*overlaps, say("Not connected: {count} pieces", count=fact.components)]
-    return overlaps + ([] if fact.disc else _why_no_disc(fact))
+        return [*problems, say("Not connected: {count} pieces", count=fact.components)]
+    return problems + ([] if fact.disc else _why_no_disc(fact))
 
 
 def _why_no_disc(fact: Any) -> list[str]:

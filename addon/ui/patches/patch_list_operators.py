@@ -97,7 +97,7 @@ class DIRICHLET_OT_check_patches(bpy.types.Operator):
 
     @classmethod
     def description(cls, context, properties):
-        patches = context.active_object.dirichlet.patches
+        patches = context.active_object.dirichlet.patches if context.active_object else ()
         if 0 <= properties.index < len(patches):
             return say("{problem}. Click to check again", problem=patches[properties.index].problem)
         return say(cls.bl_description)
