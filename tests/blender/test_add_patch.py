@@ -2,6 +2,7 @@
 """Discs on the surface as patches, and the rays that find their middle."""
 
 import importlib
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
@@ -210,6 +211,17 @@ def test_on_a_deformed_surface_the_outline_is_shown_where_the_surface_is(discs):
     points = shape.outline()[0].points / (3, 1, 1)
     assert np.abs(np.linalg.norm(points - (14, 15, 5), axis=1) - 6).max() < 0.1
     assert shape.vertices.tolist() == sorted(near(obj, (14, 15, 0), 6))
+
+
+def test_a_disc_that_is_refused_while_dragged_ends_the_operator(surface):
+    def refuse(*_):
+        raise surface.InputError("no")
+
+    seen = []
+    running = SimpleNamespace(_drag=refuse, _end=lambda: seen.append("end"), report=lambda *told: seen.append(told))
+    event = SimpleNamespace(type="MOUSEMOVE", value="NOTHING")
+    assert bpy.types.DIRICHLET_OT_add_patch_disc.modal(running, bpy.context, event) == {"CANCELLED"}
+    assert seen == ["end", ({"ERROR"}, "no")]
 
 
 def test_a_disc_not_added_leaves_nothing(discs):

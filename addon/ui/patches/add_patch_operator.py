@@ -87,8 +87,13 @@ class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
             self.location, self.radius = self._hit.location, self._disc.radius
             self.face = -1 if self._hit.face is None else self._hit.face
             return self.execute(context)
-        if event.type == "MOUSEMOVE":
-            self._drag(context, event)
+        try:
+            if event.type == "MOUSEMOVE":
+                self._drag(context, event)
+        except library.refusals() as error:
+            self._end()
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
         return {"RUNNING_MODAL"}
 
     def cancel(self, context):
