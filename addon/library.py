@@ -20,7 +20,7 @@ _failure = ""
 
 
 class LibraryMissingError(Exception):
-    """The library cannot be imported; the message says what was expected and what was found."""
+    """The library cannot be imported; the message says why, or what was expected and what was found."""
 
 
 def load(submodule: str = "") -> ModuleType:
@@ -50,7 +50,9 @@ def refusals() -> tuple[type[Exception], ...]:
 def _explain(error: ImportError) -> str:
     folder = Path(__file__).parent / _NAME
     expected = f"_native{sysconfig.get_config_var('EXT_SUFFIX')}"
-    found = ", ".join(sorted(path.name for path in folder.glob("_native*"))) or say("no compiled module")
+    names = sorted(path.name for path in folder.glob("_native*"))
+    if expected in names:
+        return say("The compiled library could not be loaded: {reason}", reason=error)
     return say(
         "The compiled library could not be loaded: expected {expected} for Python {major}.{minor} in {folder}, found "
         "{found} ({reason})",
@@ -58,6 +60,6 @@ def _explain(error: ImportError) -> str:
         major=sys.version_info.major,
         minor=sys.version_info.minor,
         folder=folder,
-        found=found,
+        found=", ".join(names) or say("no compiled module"),
         reason=error,
     )
