@@ -129,10 +129,10 @@ class DIRICHLET_PT_isolines(_Panel, bpy.types.Panel):
         row.scale_y = 1.4
         row.operator("dirichlet.make_isolines", icon="CURVE_DATA")
         bound = result_objects.find(context.active_object)
-        if bound:
+        if bound and bound.users_collection:  # not deleted by the user
             row.prop(bound.dirichlet_isolines, "follow", text="", icon="LINKED")
             draw_lock(row, bound.dirichlet_isolines)
-        draw_line_settings(layout, settings)
+        draw_line_settings(layout, settings, picking=True)
 
 
 class DIRICHLET_PT_results(_Panel, bpy.types.Panel):

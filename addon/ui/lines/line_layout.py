@@ -6,11 +6,12 @@ import bpy
 _OF_MODE = {"STEP": ("step", "phase")}
 
 
-def draw_line_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -> None:
-    """settings: a LineSettings."""
+def draw_line_settings(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup, *, picking: bool = False) -> None:
+    """settings: a LineSettings; picking: they are the active object's, whose levels can be picked on it."""
     row = layout.row(align=True)
     row.prop(settings, "levels_mode", text="")
-    row.operator("dirichlet.pick_level", text="", icon="EYEDROPPER")
+    if picking:
+        row.operator("dirichlet.pick_level", text="", icon="EYEDROPPER")
     column = properties(layout, animated=True)
     if settings.levels_mode == "LIST":
         column.prop(settings, "levels_list")
