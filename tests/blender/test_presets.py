@@ -217,7 +217,9 @@ def test_presets_of_the_user_and_of_the_addon_are_found_by_an_installed_addon(tm
         environment,
         f"""
 import bpy
+assert not bpy.utils.preset_paths("dirichlet_isolines")
 bpy.ops.preferences.addon_enable(module={STAGED.name!r})
+assert bpy.utils.preset_paths("dirichlet_isolines")  # else the list of presets complains
 obj = bpy.data.objects["Cube"]
 bpy.ops.dirichlet.apply_preset(preset="FINE_ENGRAVING")
 bpy.ops.dirichlet.preset_add(name="mine")

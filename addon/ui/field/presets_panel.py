@@ -24,7 +24,6 @@ class DIRICHLET_PT_presets(PresetPanel, bpy.types.Panel):
         for name, preset in PRESETS.items():
             column.operator("dirichlet.apply_preset", text=preset.label).preset = name
         layout.separator()
-        bpy.utils.user_resource("SCRIPTS", path=f"presets/{SUBDIRECTORY}", create=True)  # else the list complains
         super().draw(context)
         layout.separator()
         layout.operator("dirichlet.copy_settings", icon="COPYDOWN")
@@ -36,6 +35,7 @@ def _draw_copy(menu: bpy.types.Menu, context: bpy.types.Context) -> None:
 
 
 def register() -> None:
+    bpy.utils.user_resource("SCRIPTS", path=f"presets/{SUBDIRECTORY}", create=True)  # else the list complains
     bpy.types.VIEW3D_MT_make_links.append(_draw_copy)
 
 
