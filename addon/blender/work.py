@@ -67,7 +67,7 @@ class Held:
         self._arrays: meshes.Arrays | None = None
 
     def find(self) -> bpy.types.Object:
-        """The object now. Raises InputError when it is gone, cannot be written or is not what `keep` was told."""
+        """The object now. Raises InputError when it is gone, cannot be read now or is not what `keep` was told."""
         objects = bpy.data.objects
         obj = objects.get((self.name, None)) or next((o for o in objects if o.as_pointer() == self._address), None)
         if obj is None:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from math import hypot
 from typing import NamedTuple
 
 import bpy
@@ -37,7 +38,7 @@ class Arrays(NamedTuple):
     @property
     def diagonal(self) -> float:
         """Of the bounding box; 0 without vertices."""
-        return float(np.linalg.norm(np.ptp(self.positions, axis=0))) if len(self.positions) else 0.0
+        return _diagonal(self.positions)
 
     def same_faces(self, other: Arrays) -> bool:
         return (
@@ -108,4 +109,8 @@ def selected_vertices(mesh: bpy.types.Mesh) -> NDArray[np.intp]:
 
 def diagonal(mesh: bpy.types.Mesh) -> float:
     """Of the bounding box, in object space; 0 without vertices."""
-    return float(np.linalg.norm(np.ptp(read_positions(mesh), axis=0))) if len(mesh.vertices) else 0.0
+    return _diagonal(_read_positions(mesh))
+
+
+def _diagonal(positions: NDArray[np.float32]) -> float:
+    return hypot(*np.ptp(positions, axis=0).tolist()) if len(positions) else 0.0
