@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from enum import IntFlag
 from itertools import count
 from time import perf_counter
@@ -14,12 +14,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import field_task, pipeline
+from . import field_task, pipeline, threads
 from .lines import line_task, result_objects
-from .mesh import attributes, sessions
+from .mesh import attributes, meshes
+from .mesh.sessions import Session, open_session
+from .paint import patches
 
 _INSPECTED = 200_000  # vertices up to which the patches of the list are looked at on every stroke
-_PREVIEW = ""
+_MOST_LEVELS = 2000  # that are drawn at every change
+_PREVIEW = 0
 _versions = count(1)
 
 
@@ -42,17 +45,18 @@ class Preview(NamedTuple):
 class _Work(NamedTuple):
     """What to compute; nothing of Blender's is in it."""
 
+    session: Session | None  # nothing where there is nothing to do
     field: field_task.FieldTask | None
-    lines: dict[str, line_task.LineTask]  # by the name of the result; _PREVIEW: those shown alone
+    lines: dict[int, line_task.LineTask]  # by the address of the result; _PREVIEW: those shown alone
     values: NDArray[np.float32] | None  # (V,) for the lines, unless they are of the new field
 
-    def compute(self) -> tuple[field_task.FieldOutcome | None, dict[str, line_task.LineOutcome], str]:
+    def compute(self) -> tuple[field_task.FieldOutcome | None, dict[int, line_task.LineOutcome], str]:
         """Field, lines, and why some are missing: levels that cannot be had hold neither field nor other lines back."""
         field, lines, problem = self.field.compute() if self.field else None, {}, ""
         values = field.values if field else self.values
-        for name, task in self.lines.items():
+        for address, task in self.lines.items():
             try:
-                lines[name] = task.compute(values)
+                lines[address] = task.compute(values, _MOST_LEVELS)
             except library.refusals() as error:
                 problem = str(error)
         return field, lines, problem
@@ -67,6 +71,8 @@ class Follower:
         self.job: Future | None = None
         self.preview: Preview | None = None
         self.seconds: dict[str, float] = {}
+        self._work: _Work | None = None  # what the job computes; nothing when it could not be read
+        self._in_thread = False
         self._begun = 0.0
 
     def note(self, what: Change, *, resting: bool) -> None:
@@ -74,6 +80,8 @@ class Follower:
         self.noted = perf_counter()
         if Change.FIELD in what:
             self.resting = resting
+            if self.is_computing() and self._work and self._work.field:
+                self._work.field.session.interrupt()  # a newer painting is there
 
     def is_computing(self) -> bool:
         return self.job is not None and not self.job.done()
@@ -85,79 +93,87 @@ class Follower:
     def has_something_to_do(self) -> bool:
         return not self.is_computing() and (self.job is not None or bool(self.due()))
 
-    def begin(
-        self, obj: bpy.types.Object, pool: ThreadPoolExecutor | None, depsgraph: bpy.types.Depsgraph | None = None
-    ) -> None:
-        """Starts on what is due, unless something is being computed. Without a pool it is computed here; depsgraph:
-        that of a handler."""
+    def begin(self, obj: bpy.types.Object, *, thread: bool, depsgraph: bpy.types.Depsgraph | None = None) -> None:
+        """Starts on what is due, unless something is being computed: in a thread, or here. depsgraph: a handler's."""
         what = self.due()
         if self.job or not what:
             return
         self.pending &= ~what
         if obj.mode == "EDIT":
-            return  # leaving it is a change again
-        self._begun = perf_counter()
-        job: Future = Future()
+            return  # for what follows, leaving it is a change again
+        self._begun, self._work, self._in_thread = perf_counter(), None, thread
         try:
-            work = self._read(obj, what, depsgraph)
-            if pool:
-                job = pool.submit(work.compute)
-            else:
-                job.set_result(work.compute())
+            self._work = self._read(obj, what, depsgraph)
+            self.job = (threads.start if thread else threads.run)(self._work.compute)
         except library.refusals() as error:
-            job.set_exception(error)
-        self.job = job
+            self.job = Future()
+            self.job.set_exception(error)
 
-    def finish(self, obj: bpy.types.Object) -> None:
-        """Writes what has been computed, waiting for it, unless it is out of date already."""
+    def finish(self, obj: bpy.types.Object, still: Change, note: str) -> None:
+        """Writes what has been computed, waited for, unless it is out of date. still: what of the object follows; note:
+        why not all of it does."""
         if not self.job:
             return
-        job, self.job = self.job, None
+        job, work, self.job = self.job, self._work, None
+        aim = Change.FIELD if work and work.field else Change.LINES
+        if self.pending & aim or aim not in still or not self._fits(obj, work):
+            return
+        problem = ""
         try:
             field, lines, problem = job.result()
             if problem:
                 self.preview = None
-            if not self.pending & (Change.FIELD if field else Change.LINES) and obj.mode != "EDIT":
-                self._write(obj, field, lines)
+            self._write(obj, field, lines)
         except library.refusals() as error:
             problem, self.preview = str(error), None
-        if obj.dirichlet.results.problem != problem:
-            obj.dirichlet.results.problem = problem
+        if obj.dirichlet.results.problem != (problem or note):
+            obj.dirichlet.results.problem = problem or note
+
+    def _fits(self, obj: bpy.types.Object, work: _Work | None) -> bool:
+        """Whether the object is what was read: meanwhile it may have been edited, or another be in its place."""
+        if obj.mode == "EDIT":
+            return False
+        session = work.session if work and self._in_thread else None
+        return session is None or session.arrays.same_faces(meshes.read_arrays(obj.data))
 
     def _read(self, obj: bpy.types.Object, what: Change, depsgraph: bpy.types.Depsgraph | None) -> _Work:
         field = field_task.read(obj, depsgraph) if Change.FIELD in what else None
         if not field and not attributes.has_field(obj.data):
-            return _Work(None, {}, None)
+            self.preview = None
+            return _Work(None, None, {}, None)
         if Change.COLORS in what and not field:
-            pipeline.update_colors(obj)
-        lines: dict[str, line_task.LineTask] = {}
-        if what & (Change.FIELD | Change.LINES):
-            lines = _read_lines(obj, field.session if field else sessions.open_session(obj), depsgraph)
-        return _Work(field, lines, line_task.read_values(obj) if lines and not field else None)
+            pipeline.recolor(obj)
+        if not what & (Change.FIELD | Change.LINES):
+            return _Work(None, None, {}, None)
+        session = field.session if field else open_session(obj)
+        lines = _read_lines(obj, session, depsgraph)
+        return _Work(session, field, lines, line_task.read_values(obj) if lines and not field else None)
 
-    def _write(self, obj: bpy.types.Object, field, lines: dict[str, line_task.LineOutcome]) -> None:
+    def _write(self, obj: bpy.types.Object, field, lines: dict[int, line_task.LineOutcome]) -> None:
         self.seconds = {"wait": self._begun - self.noted}
         if field:
-            write = pipeline.write_field if len(obj.data.vertices) <= _INSPECTED else field_task.write
-            write(obj, field)
+            if len(obj.data.vertices) <= _INSPECTED:
+                patches.record_facts(obj, field.task.session.mesh, field.task.patches)
+            field_task.write(obj, field)
             self.seconds |= field.task.clock.laps
         bound = result_objects.find_unlocked(obj)
-        shown = lines.get(_PREVIEW) or (lines.get(bound.name) if bound else None)
+        shown = lines.get(_PREVIEW) or (lines.get(bound.as_pointer()) if bound else None)
         if shown:
             self.preview = Preview(shown.lines, shown.colors, next(_versions)) if obj.dirichlet.preview else None
         for result in result_objects.followers(obj):
-            if result.name in lines:
-                line_task.write(obj, lines[result.name], result)
+            if result.as_pointer() in lines:
+                line_task.write(obj, lines[result.as_pointer()], result)
         for outcome in lines.values():
             self.seconds |= {name: self.seconds.get(name, 0) + lap for name, lap in outcome.task.clock.laps.items()}
         self.seconds["total"] = perf_counter() - self.noted
 
 
 def _read_lines(
-    obj: bpy.types.Object, session: sessions.Session, depsgraph: bpy.types.Depsgraph | None
-) -> dict[str, line_task.LineTask]:
+    obj: bpy.types.Object, session: Session, depsgraph: bpy.types.Depsgraph | None
+) -> dict[int, line_task.LineTask]:
     """Of the results that follow, and of the preview: what the bound result shows, if that follows too."""
-    drawn: dict[str, bpy.types.Object | None] = {found.name: found for found in result_objects.followers(obj)}
+    followers = result_objects.followers(obj)
+    drawn: dict[int, bpy.types.Object | None] = {found.as_pointer(): found for found in followers}
     if obj.dirichlet.preview and result_objects.find_unlocked(obj) not in drawn.values():
         drawn[_PREVIEW] = None
-    return {name: line_task.read(obj, found, session=session, depsgraph=depsgraph) for name, found in drawn.items()}
+    return {key: line_task.read(obj, found, session=session, depsgraph=depsgraph) for key, found in drawn.items()}

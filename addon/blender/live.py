@@ -10,21 +10,22 @@ but addresses, looked up before use, so undo, loading, renaming and deleting do 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from time import perf_counter
 
 import bpy
 
-from . import preferences
+from ..language import say
+from . import preferences, threads
 from .follower import Change, Follower, Preview
 from .mesh import sessions
 
 _INLINE = 50_000  # vertices up to which a field takes less than handing it to a thread
+_SLOW_LINES = 0.1  # seconds that lines may take at every change before a thread computes them
+_STOPPING = 5.0  # seconds that a thread has to stop
 _POLL = 0.005  # seconds between looks at a brush or a thread that is busy
 
 _followers: dict[int, Follower] = {}  # by the address of the object
-_threads: ThreadPoolExecutor | None = None
 _busy = False
 _operator: tuple[int, int] = (0, 0)  # the last one that had finished at the last look
 
@@ -46,9 +47,9 @@ def catch_up(depsgraph: bpy.types.Depsgraph) -> None:
     for address, follower in list(_followers.items()):
         if follower.has_something_to_do():
             obj = _find(address, follower)
-            if obj and not _needs_thread(obj, follower.due()):
+            if obj and _is_in(obj, depsgraph) and not _needs_thread(obj, follower):
                 with _own_changes(evaluate=False):
-                    _advance(follower, obj, None, depsgraph)
+                    _advance(follower, obj, thread=False, depsgraph=depsgraph)
     _operator = _last_operator()
 
 
@@ -56,12 +57,12 @@ def flush(depsgraph: bpy.types.Depsgraph | None = None) -> None:
     """Does all that is pending, now: for scripts, tests and frame changes, which bring their depsgraph."""
     for address, follower in list(_followers.items()):
         obj = _find(address, follower)
-        if obj:
+        if obj and (depsgraph is None or _is_in(obj, depsgraph)):
             with _own_changes(evaluate=depsgraph is None):
                 follower.resting = True
                 while follower.pending or follower.job:
-                    follower.finish(obj)
-                    follower.begin(obj, None, depsgraph)
+                    _finish(follower, obj)
+                    follower.begin(obj, thread=False, depsgraph=depsgraph)
 
 
 def preview_of(obj: bpy.types.Object) -> Preview | None:
@@ -95,14 +96,11 @@ def forget() -> None:
 
 
 def stop() -> None:
-    """Waits for the thread, and follows nothing any more."""
-    global _threads
+    """Follows nothing any more, and stops what is computed."""
     if bpy.app.timers.is_registered(_tick):
         bpy.app.timers.unregister(_tick)
-    forget()  # which stops what the thread computes
-    if _threads:
-        _threads.shutdown(cancel_futures=True)
-        _threads = None
+    forget()
+    threads.settle(_STOPPING)
 
 
 def _followed(obj: bpy.types.Object) -> Change:
@@ -110,9 +108,11 @@ def _followed(obj: bpy.types.Object) -> Change:
     settings = obj.dirichlet
     if obj.type != "MESH" or any(block.library or block.override_library for block in (obj, obj.data)):
         return Change(0)
+    if not obj.users_collection:  # deleted, and only remembered by its results
+        return Change(0)
     what = Change.COLORS
     if settings.live:
-        what |= Change.FIELD | Change.LINES
+        what |= Change.LINES | (Change.FIELD if _owner(obj) == obj else Change(0))
     if settings.preview or settings.followed:
         what |= Change.LINES
     return what
@@ -130,7 +130,7 @@ def _tick() -> float | None:
             follower.resting |= stroke_ended or perf_counter() - follower.noted >= preferences.get().live_delay
             if follower.has_something_to_do():
                 with _own_changes():
-                    _advance(follower, obj, _pool() if _needs_thread(obj, follower.due()) else None)
+                    _advance(follower, obj, thread=_needs_thread(obj, follower))
     _operator = _last_operator()
     return _POLL if any(follower.pending or follower.job for follower in _followers.values()) else None
 
@@ -138,19 +138,41 @@ def _tick() -> float | None:
 def _advance(
     follower: Follower,
     obj: bpy.types.Object,
-    pool: ThreadPoolExecutor | None,
+    *,
+    thread: bool,
     depsgraph: bpy.types.Depsgraph | None = None,
 ) -> None:
     """Writes what is computed, begins on what is due, and writes that where it is computed here."""
-    follower.finish(obj)
-    follower.begin(obj, pool, depsgraph)
+    _finish(follower, obj)
+    follower.begin(obj, thread=thread, depsgraph=depsgraph)
     if not follower.is_computing():
-        follower.finish(obj)
+        _finish(follower, obj)
 
 
-def _needs_thread(obj: bpy.types.Object, what: Change) -> bool:
-    """Lines alone are quick. Without a window nobody waits for a redraw, and no timer runs."""
-    return not bpy.app.background and Change.FIELD in what and len(obj.data.vertices) > _INLINE
+def _finish(follower: Follower, obj: bpy.types.Object) -> None:
+    owner = _owner(obj)
+    shared = say("'{owner}' is live on the same mesh, by its own patches", owner=owner.name) if owner != obj else ""
+    follower.finish(obj, _followed(obj), shared)
+
+
+def _owner(obj: bpy.types.Object) -> bpy.types.Object:
+    """Whose patches count on a mesh that several objects share: the active one's of those with Live on."""
+    if not obj.dirichlet.live or obj.data.users == 1:
+        return obj
+    sharing = [other for other in bpy.data.objects if other.data == obj.data and other.dirichlet.live]
+    active = bpy.context.view_layer.objects.active
+    return active if active in sharing else sharing[0]
+
+
+def _is_in(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> bool:
+    """Whether it is this one that evaluates the object: others, of other scenes, know nothing of its shape."""
+    return depsgraph.view_layer.objects.get(obj.name) == obj
+
+
+def _needs_thread(obj: bpy.types.Object, follower: Follower) -> bool:
+    """Without a window nobody waits for a redraw, and no timer runs."""
+    field = Change.FIELD in follower.due() and len(obj.data.vertices) > _INLINE
+    return not bpy.app.background and (field or follower.seconds.get("isolines", 0) > _SLOW_LINES)
 
 
 def _find(address: int, follower: Follower) -> bpy.types.Object | None:
@@ -195,9 +217,3 @@ def _evaluate(wanted: bool) -> None:
     if wanted:
         for window in bpy.context.window_manager.windows:
             window.view_layer.update()
-
-
-def _pool() -> ThreadPoolExecutor:
-    global _threads
-    _threads = _threads or ThreadPoolExecutor(max_workers=1, thread_name_prefix="Dirichlet")
-    return _threads

@@ -25,7 +25,9 @@ def solve_field(obj: bpy.types.Object) -> FieldResult:
 def write_field(obj: bpy.types.Object, outcome: field_task.FieldOutcome) -> FieldResult:
     """Writes a field that is computed, and what was found out about its patches."""
     patches.record_facts(obj, outcome.task.session.mesh, outcome.task.patches)
-    return field_task.write(obj, outcome)
+    result = field_task.write(obj, outcome)
+    attributes.show_colors(obj.data)
+    return result
 
 
 def make_isolines(obj: bpy.types.Object) -> IsolineResult:
@@ -43,6 +45,12 @@ def refresh(result: bpy.types.Object) -> IsolineResult:
 
 
 def update_colors(obj: bpy.types.Object) -> None:
+    """Writes `dirichlet_color` anew, as `recolor` does, and shows it."""
+    recolor(obj)
+    attributes.show_colors(obj.data)
+
+
+def recolor(obj: bpy.types.Object) -> None:
     """Writes `dirichlet_color` anew from the field that the mesh carries and the ramp as it is now."""
     meshes.require_mesh(obj)
     attributes.require_names(obj)

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator
 from concurrent.futures import Future
-from threading import Thread
 from typing import Any, NamedTuple
 
 import bpy
 
 from .. import library
 from ..language import say
+from . import threads
 from .mesh import meshes
 
 Progress = Callable[[float], None]  # called with the part done, from 0 to 1
@@ -53,9 +53,7 @@ class Background:
         self._work.close()
 
     def _start(self, step: Step) -> None:
-        self.step, self._job = step, Future()
-        # A daemon, since Blender waits for other threads before it quits, and a step may take very long.
-        Thread(target=_fulfil, args=(self._job, step.compute), name="Dirichlet", daemon=True).start()
+        self.step, self._job = step, threads.start(step.compute)
 
 
 class Held:
@@ -92,18 +90,9 @@ def run(work: Work, progress: Progress = lambda done: None) -> Any:
         step = next(work)
         while True:
             progress(step.part)
-            job: Future = Future()
-            _fulfil(job, step.compute)
-            step = _answer(work, job)
+            step = _answer(work, threads.run(step.compute))
     except StopIteration as end:
         return end.value
-
-
-def _fulfil(job: Future, compute: Callable[[], Any]) -> None:
-    try:
-        job.set_result(compute())
-    except Exception as error:  # for the work, which is thrown it
-        job.set_exception(error)
 
 
 def _answer(work: Work, job: Future) -> Step:

@@ -48,7 +48,8 @@ def _frame_changed(scene, depsgraph) -> None:
 
         for obj in scene.objects:
             evaluated.take_values(obj, depsgraph)
-    _note(scene.objects)
+    changed = {update.id.original for update in depsgraph.updates if update.is_updated_geometry}
+    _note(obj for obj in scene.objects if obj.animation_data or obj in changed or obj.data in changed)
     live = _used()
     if live:
         live.flush(depsgraph)

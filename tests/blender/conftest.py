@@ -8,6 +8,7 @@ from pathlib import Path
 
 import bpy
 import pytest
+from following import settle
 from scene import painted_grid, painted_sphere
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -55,4 +56,19 @@ def sheet():
     """Solved: x / 8 on columns 0 to 8."""
     obj = painted_grid(columns=9)
     bpy.ops.dirichlet.solve_field()
+    return obj
+
+
+@pytest.fixture
+def live(addon):
+    return importlib.import_module(f"{addon.__name__}.blender.live")
+
+
+@pytest.fixture
+def grid_live(live):
+    """A painted grid, solved, with Live on and nothing pending."""
+    obj = painted_grid()
+    bpy.ops.dirichlet.solve_field()
+    obj.dirichlet.live = True
+    settle(live)
     return obj

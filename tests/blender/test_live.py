@@ -1,57 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Live: field, colours and lines follow what they depend on. Without a window no timer runs, so tests call it."""
 
-import importlib
-import time
-
 import bpy
 import numpy as np
 import pytest
-from scene import colors_of, field_of, library_mesh, paint, painted_grid, select
-
-
-@pytest.fixture
-def live(addon):
-    return importlib.import_module(f"{addon.__name__}.blender.live")
-
-
-@pytest.fixture
-def grid_live(live):
-    """A painted grid, solved, with Live on and nothing pending."""
-    obj = painted_grid()
-    bpy.ops.dirichlet.solve_field()
-    obj.dirichlet.live = True
-    settle(live)
-    return obj
-
-
-def settle(live):
-    bpy.context.view_layer.update()
-    live.flush()
-
-
-def set_delay(live, monkeypatch, seconds):
-    monkeypatch.setattr(live.preferences, "DEFAULTS", live.preferences.Preferences(live_delay=seconds))
-
-
-def weights(obj, group):
-    index = obj.vertex_groups[group].index
-    found = {v.index: g.weight for v in obj.data.vertices for g in v.groups if g.group == index}
-    return [vertex for vertex, weight in found.items() if weight >= 0.5]
-
-
-def fresh_field(surface, obj):
-    """Solved by the library alone, from the weights as they are."""
-    painted = {}
-    for patch in obj.dirichlet.patches:
-        if patch.enabled:
-            painted |= dict.fromkeys(weights(obj, patch.group), patch.value)
-    values = surface.solve(library_mesh(surface, obj), list(painted), list(painted.values())).values
-    return values.astype(np.float32)
-
-
-def assert_current(surface, obj):
-    assert np.array_equal(field_of(obj), fresh_field(surface, obj))
+from following import assert_current, set_delay, settle, weights
+from scene import colors_of, field_of, library_mesh, link, paint, painted_grid, select
 
 
 def test_painting_is_followed(live, surface, grid_live):
@@ -152,12 +106,23 @@ def test_nothing_is_read_under_a_moving_brush(live, surface, grid_live, monkeypa
     assert_current(surface, grid_live)
 
 
-def test_own_writes_are_not_followed(live, grid_live):
+def test_own_writes_are_not_followed(live, grid_live, monkeypatch):
+    begun = []
+    begin = live.Follower.begin
+
+    def counted(self, obj, **how):
+        begun.append(self.due())
+        begin(self, obj, **how)
+
+    monkeypatch.setattr(live.Follower, "begin", counted)
     grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
     settle(live)
+    assert any(begun)
+    begun.clear()
     for _ in range(3):
         bpy.context.view_layer.update()
-        assert not live.is_pending(grid_live)
+        live._tick()
+    assert not any(begun)
 
 
 def test_undo_and_redo_are_followed(live, surface, grid_live):
@@ -317,74 +282,90 @@ def test_linked_object_is_left_alone(live, grid_live, tmp_path):
     assert not live.is_pending(wanted.objects[0])
 
 
-class TestThread:
-    """Meshes large enough to be computed in a thread, whose result the timer fetches."""
-
-    @pytest.fixture(autouse=True)
-    def _every_mesh_is_large(self, live, monkeypatch):
-        monkeypatch.setattr(live, "_needs_thread", lambda obj, what: True)
-        set_delay(live, monkeypatch, 0.0)
-
-    def test_result_is_fetched(self, live, surface, grid_live):
-        grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
-        bpy.context.view_layer.update()
-        run_timer(live)
-        assert_current(surface, grid_live)
-
-    def test_outdated_result_is_dropped_and_the_newest_wins(self, addon, live, surface, grid_live, monkeypatch):
-        session = importlib.import_module(f"{addon.__name__}.blender.mesh.sessions").Session
-        paint_now, painted = session.paint, []
-
-        def slow_paint(self, painting, options):
-            painted.append(len(painting.vertices))
-            time.sleep(0.05)
-            return paint_now(self, painting, options)
-
-        monkeypatch.setattr(session, "paint", slow_paint)
-        before = field_of(grid_live)
-        grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
-        bpy.context.view_layer.update()
-        live._tick()
-        while not painted:
-            time.sleep(0.001)
-        grid_live.vertex_groups["left"].add([31], 1.0, "REPLACE")
-        bpy.context.view_layer.update()
-        while len(painted) < 2:
-            assert np.array_equal(field_of(grid_live), before)
-            live._tick()
-        run_timer(live)
-        assert painted == [15, 16]
-        assert_current(surface, grid_live)
-
-    def test_disabled_while_computing(self, live, addon, grid_live):
-        grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
-        bpy.context.view_layer.update()
-        live._tick()
-        addon.unregister()
-        try:
-            assert not live._followers
-            assert live._threads is None
-        finally:
-            addon.register()
-
-    def test_object_deleted_while_computing(self, live, grid_live):
-        grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
-        bpy.context.view_layer.update()
-        live._tick()
-        bpy.data.objects.remove(grid_live)
-        run_timer(live)
-        assert not live._followers
-
-
-def run_timer(live):
-    deadline = time.monotonic() + 30
-    while live._tick() is not None:
-        assert time.monotonic() < deadline, "the timer never came to rest"
-        time.sleep(0.001)
-
-
 def test_selection_made_in_edit_mode_is_no_change_of_the_field(live, grid_live):
     before = field_of(grid_live)
     select(grid_live, [3, 4])
     settle(live)
     assert np.array_equal(field_of(grid_live), before)
+
+
+def test_color_attribute_that_somebody_paints_on_stays_active(live, grid_live):
+    colors = grid_live.data.color_attributes
+    colors.active_color = colors.new("mine", "FLOAT_COLOR", "POINT")
+    grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
+    settle(live)
+    assert colors.active_color.name == "mine"
+    assert bpy.ops.dirichlet.solve_field() == {"FINISHED"}
+    assert colors.active_color.name == "dirichlet_color"
+
+
+def test_of_objects_on_one_mesh_the_active_one_is_live(live, surface, grid_live):
+    other = link(grid_live.data, "Other")
+    patch = other.dirichlet.patches.add()
+    patch.group, patch.value = "left", 5.0
+    other.dirichlet.live = True
+    settle(live)
+    assert (field_of(other) == 5).all()
+    grid_live.dirichlet.patches[1].value = 2.0
+    settle(live)
+    assert (field_of(other) == 5).all()
+    assert "'Other' is live on the same mesh" in grid_live.dirichlet.results.problem
+    bpy.context.view_layer.objects.active = grid_live
+    grid_live.dirichlet.patches[1].value = 3.0
+    settle(live)
+    assert_current(surface, grid_live)
+
+
+def test_frame_without_animation_solves_nothing(live, grid_live, monkeypatch):
+    begun = []
+    monkeypatch.setattr(live.Follower, "begin", lambda self, obj, **how: begun.append(obj.name))
+    for frame in (2, 3):
+        bpy.context.scene.frame_set(frame)
+    assert begun == []
+
+
+def test_preview_of_a_field_that_is_gone_is_gone(live, grid_live):
+    grid_live.dirichlet.live, grid_live.dirichlet.preview = False, True
+    settle(live)
+    assert live.preview_of(grid_live)
+    grid_live.data.attributes.remove(grid_live.data.attributes["dirichlet_field"])
+    grid_live.dirichlet.count = 5
+    settle(live)
+    assert live.preview_of(grid_live) is None
+
+
+def test_deleted_object_that_a_result_remembers_is_not_solved(live, grid_live):
+    bpy.ops.dirichlet.make_isolines()
+    before = field_of(grid_live)
+    bpy.context.collection.objects.unlink(grid_live)
+    grid_live.dirichlet.patches[1].value = 3.0
+    settle(live)
+    assert np.array_equal(field_of(grid_live), before)
+
+
+def test_more_levels_than_can_be_followed_are_refused_in_a_sentence(live, grid_live):
+    grid_live.dirichlet.preview = True
+    grid_live.dirichlet.count = 100_000
+    settle(live)
+    assert "100000 levels are too many to follow" in grid_live.dirichlet.results.problem
+    grid_live.dirichlet.count = 10
+    settle(live)
+    assert grid_live.dirichlet.results.problem == ""
+
+
+def test_lines_are_those_of_the_scene_that_shows_the_object(live, grid_live):
+    """Another scene evaluates, too; it knows nothing of the object's shape."""
+    bpy.ops.dirichlet.make_isolines()
+    grid_live.shape_key_add(name="Basis")
+    key = grid_live.shape_key_add(name="Up")
+    for point in key.data:
+        point.co.z = 5.0
+    key.value = 1.0
+    settle(live)
+    other = bpy.data.scenes.new("Other")
+    grid_live.dirichlet.count = 4
+    other.view_layers[0].update()
+    other.frame_set(2)
+    settle(live)
+    heights = {point.co.z for spline in grid_live.dirichlet.isolines.data.splines for point in spline.points}
+    assert heights == {5.0}

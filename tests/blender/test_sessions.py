@@ -74,3 +74,19 @@ def test_few_sessions_are_kept_and_none_of_a_mesh_that_is_gone(sessions):
         bpy.data.meshes.remove(obj.data)
     sessions.open_session(objects[0])
     assert len(sessions._sessions) == 1
+
+
+def test_solver_that_could_not_be_made_does_not_spoil_the_session(sessions, surface, pipeline, monkeypatch):
+    obj = painted_grid()
+    expected = pipeline.solve_field(obj).field.values
+
+    def refuse(*arguments, **options):
+        raise surface.SolverError("not enough memory")
+
+    with monkeypatch.context() as broken:
+        broken.setattr(surface, "HarmonicSolver", refuse)
+        obj.dirichlet.method = "multigrid"
+        with pytest.raises(surface.SolverError):
+            pipeline.solve_field(obj)
+    obj.dirichlet.method = "auto"
+    assert np.array_equal(pipeline.solve_field(obj).field.values, expected)

@@ -31,12 +31,18 @@ class LineTask:
     table: ramp.ColorTable
     clock: Stopwatch
 
-    def compute(self, values: NDArray[np.float32]) -> LineOutcome:
-        """values: (V,) as the mesh stores them, not all of them NaN. Raises the library's InputError."""
+    def compute(self, values: NDArray[np.float32], most_levels: int | None = None) -> LineOutcome:
+        """values: (V,) as the mesh stores them, not all of them NaN. Raises the library's InputError, also for more
+        levels than wanted."""
         self.clock.restart()
         ends = ramp.limits(values)
         surface = library.load()
-        lines = surface.isolines(self.mesh, values, self.options.choose_on(self.mesh, values))
+        chosen = self.options.choose_on(self.mesh, values)
+        if most_levels is not None and len(chosen) > most_levels:
+            raise surface.InputError(
+                say("{count} levels are too many to follow: Make Isolines draws them", count=len(chosen))
+            )
+        lines = surface.isolines(self.mesh, values, chosen)
         lines = self.shape.on_surface(self.mesh, lines)
         if self.positions is not None:
             lines = surface.move_lines(lines, self.positions)
@@ -96,7 +102,7 @@ def read(
         session.mesh,
         levels.read_options(settings),
         shaping.read_options(settings, session.arrays.diagonal),
-        _read_positions(obj, result, session, depsgraph),
+        _read_positions(obj, session, depsgraph),
         ramp.read_table(obj),
         clock,
     )
@@ -114,12 +120,12 @@ def read_values(obj: bpy.types.Object) -> NDArray[np.float32]:
     return values
 
 
-def _read_positions(obj, result, session: Session, depsgraph) -> NDArray[np.float64] | None:
-    """Where the vertices are to be, unless it is where they are."""
+def _read_positions(obj, session: Session, depsgraph) -> NDArray[np.float64] | None:
+    """Where the vertices are shown, unless it is where they are or modifiers change the faces."""
     if obj.dirichlet.use_modifiers:
         return evaluated.require_positions(obj, session.arrays, depsgraph)
-    follows = result is not None and result.dirichlet_isolines.follow
-    return evaluated.read_positions(obj, session.arrays, depsgraph) if follows else None
+    deformed = obj.modifiers or obj.data.shape_keys
+    return evaluated.read_positions(obj, session.arrays, depsgraph) if deformed else None
 
 
 def write(obj: bpy.types.Object, outcome: LineOutcome, result: bpy.types.Object | None) -> IsolineResult:

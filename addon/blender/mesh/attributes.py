@@ -47,17 +47,23 @@ def write(mesh: bpy.types.Mesh, values: NDArray[np.float32], colors: NDArray[np.
 
 
 def write_colors(mesh: bpy.types.Mesh, colors: NDArray[np.float32]) -> None:
-    """colors (V, 4) linear. Makes them active, for display and for rendering. What is there already is not written, so
-    that a write never answers a write."""
-    if not np.array_equal(_read_colors(mesh), colors):
-        _require(mesh, COLOR)
-        mesh.attributes[COLOR].data.foreach_set("color", colors.ravel())
-        mesh.update()
-    if mesh.color_attributes.active_color_name != COLOR:
-        mesh.color_attributes.active_color_name = COLOR
-    index = mesh.color_attributes.find(COLOR)
-    if mesh.color_attributes.render_color_index != index:
-        mesh.color_attributes.render_color_index = index
+    """colors (V, 4) linear. What is there already is not written, so that a write never answers a write."""
+    if np.array_equal(_read_colors(mesh), colors):
+        return
+    made = COLOR not in mesh.attributes
+    _require(mesh, COLOR)
+    mesh.attributes[COLOR].data.foreach_set("color", colors.ravel())
+    mesh.update()
+    if made:
+        show_colors(mesh)
+
+
+def show_colors(mesh: bpy.types.Mesh) -> None:
+    """Makes the colours active, for display and for rendering: where the user asks for them, since another attribute
+    may be what they paint on."""
+    attributes = mesh.color_attributes
+    attributes.active_color = attributes[COLOR]  # the name alone does nothing in Blender 3
+    attributes.render_color_index = attributes.find(COLOR)
 
 
 def _read_colors(mesh: bpy.types.Mesh) -> NDArray[np.float32] | None:

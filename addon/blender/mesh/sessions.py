@@ -31,6 +31,7 @@ class Session:
         self.mesh: Any = meshes.build(arrays)
         self._lock = Lock()
         self._token: Any = library.load().CancelToken()
+        self._stopped = False
         self._solver: Any = None
         self._options: dict[str, Any] | None = None
 
@@ -38,15 +39,23 @@ class Session:
         """Values (V,) and report of the library's HarmonicSolver with these options, which is kept for the next
         painting. Raises what HarmonicSolver and its `paint` raise. For any thread; one call waits for the other."""
         with self._lock:
+            self._token.reset()
+            if self._stopped:
+                self._token.cancel()
             if self._options != options:
-                self._solver = None  # before the next is made: a factor is the largest thing there is
+                self._solver = self._options = None  # first: a factor is the largest thing there is
                 self._solver = library.load().HarmonicSolver(self.mesh, **options, cancel=self._token)
                 self._options = options
             values = self._solver.paint(painting.vertices, painting.values)
             return values, self._solver.report
 
+    def interrupt(self) -> None:
+        """Ends what a thread is painting by CancelledError; the next painting is whole again."""
+        self._token.cancel()
+
     def stop(self) -> None:
-        """Ends what a thread is painting, and all painting to come, by CancelledError."""
+        """Ends what a thread is painting, and all painting to come."""
+        self._stopped = True
         self._token.cancel()
 
     def follow(self, arrays: meshes.Arrays) -> bool:
@@ -66,12 +75,15 @@ def open_session(obj: bpy.types.Object) -> Session:
     key = obj.data.as_pointer()
     arrays = meshes.read_arrays(obj.data)
     session = _sessions.pop(key, None)
-    if session is None or not session.follow(arrays):
+    if session and not session.follow(arrays):
+        session.stop()
+        session = None
+    if session is None:
         preferences.limit_threads()
         session = Session(arrays)
     _sessions[key] = session
-    while len(_sessions) > _MOST:
-        _sessions.popitem(last=False)
+    if len(_sessions) > _MOST:
+        _sessions.popitem(last=False)[1].stop()
     return session
 
 
@@ -92,4 +104,4 @@ def forget_all() -> None:
 def _forget_removed() -> None:
     present = {mesh.as_pointer() for mesh in bpy.data.meshes}
     for key in [key for key in _sessions if key not in present]:
-        del _sessions[key]
+        _sessions.pop(key).stop()
