@@ -83,6 +83,7 @@ class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
             self._end()
             return {"CANCELLED"}
         if event.type == "LEFTMOUSE" and event.value == "RELEASE":
+            self._drag(context, event)  # of a quick hand the last moves are never told
             self._end()
             self.location, self.radius = self._hit.location, self._disc.radius
             self.face = -1 if self._hit.face is None else self._hit.face

@@ -13,10 +13,6 @@ from steps import Waiting, pictures, run, until
 from truth import colors_follow, is_fresh
 
 
-def press_button(name: str, across: float = 0.6) -> Waiting:
-    yield from hand.click((yield from screen.find(name, across)))
-
-
 def start() -> Waiting:
     yield from add_ball()
 
@@ -31,24 +27,24 @@ def paint_the_first_patch() -> Waiting:
     go_to("WEIGHT_PAINT")
     yield 1
     yield from stroke((-0.7, -0.3), (-0.7, 0.3))
-    yield from press_button("patch_add_group", 0.8)
+    yield from screen.press("patch_add_group", 0.8)
 
 
 def paint_the_second_patch() -> Waiting:
     bpy.ops.object.vertex_group_add()
     yield from stroke((0.6, -0.3), (0.6, 0.3))
-    yield from press_button("patch_add_group", 0.8)
+    yield from screen.press("patch_add_group", 0.8)
 
 
 def solve() -> Waiting:
-    yield from press_button("solve_field", 0.2)
-    yield from press_button("make_isolines")
+    yield from screen.press("solve_field", 0.2)
+    yield from screen.press("make_isolines")
     _assert_current()
 
 
 def switch_live_on() -> Waiting:
-    yield from press_button("live")
-    yield from press_button("preview", 0.22)
+    yield from screen.press("live")
+    yield from screen.press("preview", 0.22)
     yield from until(_is_quiet)
     assert ball().dirichlet.live
     assert live.preview_of(ball())

@@ -72,6 +72,11 @@ def find(name: str, across: float = 0.6) -> Generator[float, None, Pixel]:
     raise AssertionError(f"no button '{name}' in the sidebar")
 
 
+def press(name: str, across: float = 0.6) -> Waiting:
+    """Clicks a button of the sidebar: see `find`."""
+    yield from hand.click((yield from find(name, across)))
+
+
 def _under_pointer() -> str:
     """What the button under the pointer would copy: its property's path, or its operator's call."""
     with at("UI"):
