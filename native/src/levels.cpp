@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "closest_point.h"
@@ -72,7 +73,8 @@ Window open_window(const Mesh& mesh, std::span<const double> field, Index count,
   return window;
 }
 
-/// At least kSamples steps from low to high, small where many vertices have their values.
+/// At least kSamples steps from low to high, none longer than an even one, and small where many vertices have their
+/// values: these alone would leave long steps to large triangles, whose vertices are few.
 std::vector<double> sample(const Window& window) {
   constexpr std::size_t kSamples = 1 << 10, kEnough = 1 << 16;
   std::vector<double> values{window.low, window.high};
@@ -81,13 +83,14 @@ std::vector<double> sample(const Window& window) {
   std::sort(values.begin(), values.end());
   const std::size_t last = values.size() - 1, steps = std::min(last, kSamples), parts = (kSamples - 1) / steps + 1;
   std::vector<double> samples{window.low};
-  for (std::size_t i = 0; i < steps; ++i) {
-    const double from = values[last * i / steps], to = values[last * (i + 1) / steps];
-    for (std::size_t j = 1; j <= parts; ++j) {
-      const double value = std::lerp(from, to, static_cast<double>(j) / static_cast<double>(parts));
-      if (value > samples.back()) samples.push_back(value);
-    }
-  }
+  const auto add = [&](double from, double to, std::size_t count) {
+    for (std::size_t i = 1; i <= count; ++i)
+      samples.push_back(std::lerp(from, to, static_cast<double>(i) / static_cast<double>(count)));
+  };
+  for (std::size_t i = 0; i < steps; ++i) add(values[last * i / steps], values[last * (i + 1) / steps], parts);
+  add(window.low, window.high, kSamples);
+  std::sort(samples.begin(), samples.end());
+  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
   return samples;
 }
 
@@ -113,6 +116,18 @@ double interpolate(double low, double high, double y_low, double y_high, double 
 struct Bracket {
   double low, high, area_low, area_high, goal;
 };
+
+/// What neighbours of greater and smaller goals know, so that the ends of all brackets ascend.
+void share(std::vector<Bracket>& brackets) {
+  for (std::size_t k = 1; k < brackets.size(); ++k) {
+    Bracket &bracket = brackets[k], &before = brackets[k - 1];
+    if (before.low > bracket.low) std::tie(bracket.low, bracket.area_low) = std::tie(before.low, before.area_low);
+  }
+  for (std::size_t k = brackets.size(); --k > 0;) {
+    Bracket &bracket = brackets[k - 1], &after = brackets[k];
+    if (after.high < bracket.high) std::tie(bracket.high, bracket.area_high) = std::tie(after.high, after.area_high);
+  }
+}
 
 } // namespace
 
@@ -160,8 +175,11 @@ std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> 
   const double close = 1e-12 * areas.back();
   constexpr int kMostPasses = 100;
   for (int pass = 0; pass < kMostPasses; ++pass) {
+    double before = window.low; // strips are measured of levels that ascend
     std::transform(brackets.begin(), brackets.end(), levels.begin(), [&](const Bracket& b) { // by halves now and then
-      return pass % 3 == 2 ? std::midpoint(b.low, b.high) : interpolate(b.low, b.high, b.area_low, b.area_high, b.goal);
+      const double level =
+          pass % 3 == 2 ? std::midpoint(b.low, b.high) : interpolate(b.low, b.high, b.area_low, b.area_high, b.goal);
+      return before = std::clamp(std::max(level, before), b.low, b.high);
     });
     const Strips strips = measure_strips(window.triangles, field, levels);
     bool done = true;
@@ -178,6 +196,7 @@ std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> 
       }
     }
     if (done) break;
+    share(brackets);
   }
   return levels;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dirichlet/cancel.h"
 
+#include <chrono>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -91,6 +92,21 @@ TEST(CancelToken, raised_by_another_thread_stops_work_that_has_begun) {
   other.join();
   token.reset();
   EXPECT_EQ(solver.paint(kPainted, kValues).values, HarmonicSolver(*mesh).paint(kPainted, kValues).values);
+}
+
+TEST(CancelToken, raised_by_another_thread_stops_conjugate_gradients_between_two_steps) {
+  const auto mesh = make_mesh(makers::torus(60, 40));
+  const CancelToken token;
+  SolverOptions options = with(token, Method::least_squares_cg);
+  options.tolerance = 1e-200; // out of reach: left alone, it would give up after the last step
+  options.max_iterations = 200'000;
+  HarmonicSolver solver(*mesh, options);
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    token.cancel();
+  });
+  EXPECT_REFUSED(solver.paint(kPainted, kValues), CancelledError, "cancelled");
+  other.join();
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "line_checks.h"
 #include "mesh_makers.h"
 #include "refusal.h"
+#include "strips.h"
 
 namespace dirichlet {
 namespace {
@@ -115,6 +116,51 @@ TEST(SteppedLevels, of_no_step_no_window_or_too_many_are_refused) {
   EXPECT_REFUSED(stepped_levels(0, 1, 1e-300, 0), InputError, "more than 1000000");
   EXPECT_EQ(stepped_levels(0, 1'000'000.5, 1, 0).size(), 1'000'000U);
   EXPECT_REFUSED(stepped_levels(-0.5, 1'000'000.4, 1, 0), InputError, "more than 1000000");
+}
+
+/// From x = 0 to 1: 4000 columns of two vertices in a hundredth of its length, and 5 to 60 in the rest, where it is as
+/// wide as random numbers say.
+std::shared_ptr<const Mesh> uneven_strip(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> anywhere(0, 1), dense(0.3, 0.31), width(0.5, 1.5);
+  std::vector<double> columns{0, 1};
+  for (int i = 0; i < 4000; ++i) columns.push_back(dense(random));
+  for (int i = std::uniform_int_distribution(5, 60)(random); i > 0; --i) columns.push_back(anywhere(random));
+  std::sort(columns.begin(), columns.end());
+  makers::PolygonSoup strip;
+  for (const double x : columns) {
+    const double y = x > 0.3 && x < 0.31 ? 1 : width(random);
+    strip.positions.insert(strip.positions.end(), {x, -y, 0, x, y, 0});
+  }
+  for (Index v = 0; v + 3 < 2 * static_cast<Index>(columns.size()); v += 2) {
+    strip.faces.push_back({v, v + 2, v + 3});
+    strip.faces.push_back({v, v + 3, v + 1});
+  }
+  return make_mesh(strip);
+}
+
+TEST(EqualAreaLevels, ascend_and_cut_equal_strips_however_unevenly_vertices_are_spread) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const auto mesh = uneven_strip(seed);
+    const auto field = sample(*mesh, [](double x, double, double) { return x; });
+    Levels levels = equal_area_levels(*mesh, field, 13);
+    ASSERT_TRUE(strictly_ascending_inside(0, 1, levels)) << seed;
+    levels.push_back(1);
+    const Levels areas = measure_strips(*mesh, field, levels).area;
+    for (std::size_t k = 0; k < 13; ++k)
+      EXPECT_NEAR(areas[k] / areas.back(), (static_cast<double>(k) + 1) / 14, 1e-9) << seed;
+  }
+}
+
+TEST(EqualDistanceLevels, are_as_even_as_a_linear_field_however_unevenly_vertices_are_spread) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const auto mesh = uneven_strip(seed);
+    const auto field = sample(*mesh, [](double x, double, double) { return x; });
+    Levels levels = equal_distance_levels(*mesh, field, 40, 0, 1);
+    levels.insert(levels.begin(), 0);
+    levels.push_back(1);
+    for (std::size_t k = 0; k < 41; ++k) EXPECT_NEAR(41 * (levels[k + 1] - levels[k]), 1, 0.02) << seed;
+  }
 }
 
 TEST(LevelThroughPoint, is_the_value_of_a_linear_field_below_the_point) {

@@ -30,15 +30,16 @@ std::vector<double> stepped_levels(double low, double high, double step, double 
 /// \throws InputError     as even_levels; a field of a wrong length or with an infinite value; a field that is constant
 ///                        or has no values; a window that holds none of the surface
 /// \throws TopologyError  a polygon that has no triangulation
-/// Cost: O(V + T) about five times, plus that of 1000 isolines. Same result whatever the thread count.
+/// Cost: O(V + T) about five times, plus that of 2000 isolines. Same result whatever the thread count.
 std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> field, Index count,
                                       std::optional<double> low = std::nullopt,
                                       std::optional<double> high = std::nullopt);
 
 /// The same for distances: from one level to the next lines advance equally far on average, as from the ends of the
 /// window to the levels beside them. How far lines advance is the area they sweep, divided by their length, added up
-/// over a thousand or more steps that are small where the field has much of its surface. Neither this nor the above
-/// changes its lines when another function that ascends is applied to the field, but for what lies between vertices.
+/// over two thousand steps or so: even parts of the window, cut further where many vertices have their values. Neither
+/// this nor the above changes its lines when another function that ascends is applied to the field, but for what lies
+/// between vertices and within a step.
 std::vector<double> equal_distance_levels(const Mesh& mesh, std::span<const double> field, Index count,
                                           std::optional<double> low = std::nullopt,
                                           std::optional<double> high = std::nullopt);

@@ -12,6 +12,21 @@
 namespace dirichlet {
 namespace {
 
+/// Eigen's loop asks for it once in every step: the place where work that was cancelled can stop.
+class CancellablePreconditioner : public Eigen::LeastSquareDiagonalPreconditioner<double> {
+ public:
+  void set_cancel(const CancelToken& cancel) { cancel_ = cancel; }
+
+  template <typename Vector>
+  auto solve(const Eigen::MatrixBase<Vector>& b) const {
+    cancel_.check();
+    return Eigen::LeastSquareDiagonalPreconditioner<double>::solve(b);
+  }
+
+ private:
+  CancelToken cancel_;
+};
+
 class LeastSquaresSolver final : public IterativeSolver {
  public:
   LeastSquaresSolver(SparseMatrix&& K, const SolverOptions& options)
@@ -31,7 +46,9 @@ class LeastSquaresSolver final : public IterativeSolver {
         if (painted(entry.col())) prescribed.row(i) += entry.value() * rhs.row(entry.col());
       prescribed.row(i) /= K.coeff(i, i);
     }
-    Eigen::LeastSquaresConjugateGradient<SparseMatrix> cg; // made here: it keeps the figures of its last run
+    // Made here: it keeps the figures of its last run.
+    Eigen::LeastSquaresConjugateGradient<SparseMatrix, CancellablePreconditioner> cg;
+    cg.preconditioner().set_cancel(cancel_);
     cg.setTolerance(tolerance_);
     cg.setMaxIterations(max_iterations_);
     cg.compute(L_);
