@@ -86,14 +86,18 @@ def _options(settings: bpy.types.PropertyGroup) -> dict[str, Any]:
     return {"method": settings.method, "memory_budget": preferences.memory_budget()}
 
 
-def write(obj: bpy.types.Object, outcome: FieldOutcome) -> FieldResult:
-    """Material, attributes and `obj.dirichlet.results`; only what differs from what is there."""
-    task, ramps = outcome.task, library.load("ramps")
+def write(obj: bpy.types.Object, outcome: FieldOutcome, *, cover: bool = True) -> FieldResult:
+    """Material, attributes and `obj.dirichlet.results`; only what differs from what is there. Without `cover` the
+    material is not put where the user has put another."""
+    task, ramps, shown = outcome.task, library.load("ramps"), []
     task.clock.restart()
-    begun = material.find_ramp(obj) is None
-    shown = material.show(obj, outcome.ends, ramps.RAMPS[obj.dirichlet.ramp_preset], ramps.UNDEFINED_COLOR)
-    if begun:
-        looks.apply(obj)
+    if cover or not attributes.has_field(obj.data):
+        begun = material.find_ramp(obj) is None
+        shown = material.show(obj, outcome.ends, ramps.RAMPS[obj.dirichlet.ramp_preset], ramps.UNDEFINED_COLOR)
+        if begun:
+            looks.apply(obj)
+    else:
+        material.update_range(obj, outcome.ends)
     colors = ramp.read_table(obj).apply(outcome.values, outcome.ends) if outcome.colors is None else outcome.colors
     attributes.write(obj.data, outcome.values, colors)
     task.clock.lap("write")

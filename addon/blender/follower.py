@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from concurrent.futures import Future
+from concurrent.futures import Future, wait
 from enum import IntFlag
 from itertools import count
 from time import perf_counter
@@ -83,6 +83,11 @@ class Follower:
             if self.is_computing() and self._work and self._work.field:
                 self._work.field.session.interrupt()  # a newer painting is there
 
+    def wait(self, seconds: float) -> None:
+        """For a thread, which is so quick as a rule that the change and what follows it are drawn together."""
+        if self.job:
+            wait([self.job], timeout=seconds)
+
     def is_computing(self) -> bool:
         return self.job is not None and not self.job.done()
 
@@ -154,7 +159,7 @@ class Follower:
         if field:
             if len(obj.data.vertices) <= _INSPECTED:
                 patches.record_facts(obj, field.task.session.mesh, field.task.patches)
-            field_task.write(obj, field)
+            field_task.write(obj, field, cover=False)
             self.seconds |= field.task.clock.laps
         bound = result_objects.find_unlocked(obj)
         shown = lines.get(_PREVIEW) or (lines.get(bound.as_pointer()) if bound else None)

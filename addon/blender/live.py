@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fields, colours and lines that follow what they depend on.
 
-`changed` notes that something did, and returns at once. The work is done when the brush rests: at once while Blender
-evaluates the change, so that one redraw shows both, for large meshes in a thread whose result a timer fetches. The
+`changed` notes that something did, and returns at once. The work is done when the brush rests: while Blender evaluates
+the change, so that one redraw shows both; for large meshes in a thread, whose result a timer fetches if it is late. The
 newest change wins: what was computed for an older one is dropped. Between two calls nothing is kept of Blender's data
 but addresses, looked up before use, so undo, loading, renaming and deleting do no harm.
 """
@@ -22,6 +22,7 @@ from .mesh import sessions
 
 _INLINE = 50_000  # vertices up to which a field takes less than handing it to a thread
 _SLOW_LINES = 0.1  # seconds that lines may take at every change before a thread computes them
+_PATIENCE = 0.3  # seconds that Blender waits for a thread before it draws without what comes of it
 _STOPPING = 5.0  # seconds that a thread has to stop
 _POLL = 0.005  # seconds between looks at a brush or a thread that is busy
 
@@ -47,9 +48,9 @@ def catch_up(depsgraph: bpy.types.Depsgraph) -> None:
     for address, follower in list(_followers.items()):
         if follower.has_something_to_do():
             obj = _find(address, follower)
-            if obj and _is_in(obj, depsgraph) and not _needs_thread(obj, follower):
+            if obj and _is_in(obj, depsgraph):
                 with _own_changes(evaluate=False):
-                    _advance(follower, obj, thread=False, depsgraph=depsgraph)
+                    _advance(follower, obj, thread=_needs_thread(obj, follower), depsgraph=depsgraph)
     _operator = _last_operator()
 
 
@@ -145,6 +146,7 @@ def _advance(
     """Writes what is computed, begins on what is due, and writes that where it is computed here."""
     _finish(follower, obj)
     follower.begin(obj, thread=thread, depsgraph=depsgraph)
+    follower.wait(_PATIENCE)
     if not follower.is_computing():
         _finish(follower, obj)
 
@@ -152,7 +154,17 @@ def _advance(
 def _finish(follower: Follower, obj: bpy.types.Object) -> None:
     owner = _owner(obj)
     shared = say("'{owner}' is live on the same mesh, by its own patches", owner=owner.name) if owner != obj else ""
+    before = follower.preview
     follower.finish(obj, _followed(obj), shared)
+    if follower.preview is not before:
+        _redraw()
+
+
+def _redraw() -> None:
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "VIEW_3D":
+                area.tag_redraw()
 
 
 def _owner(obj: bpy.types.Object) -> bpy.types.Object:
@@ -180,8 +192,9 @@ def _find(address: int, follower: Follower) -> bpy.types.Object | None:
     obj = bpy.data.objects.get(follower.name)
     if obj is None or obj.as_pointer() != address:
         obj = next((obj for obj in bpy.data.objects if obj.as_pointer() == address), None)
-    if obj:
-        follower.name = obj.name
+    if obj is None or obj.type != "MESH":  # deleted, and its address given to another
+        return None
+    follower.name = obj.name
     return obj
 
 

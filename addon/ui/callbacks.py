@@ -6,6 +6,7 @@ from contextlib import suppress
 import bpy
 
 from .. import library
+from . import viewport
 
 _NARROWEST = 0.001  # window that sliders make, as a fraction of the ramp
 
@@ -51,6 +52,8 @@ def follow_changed(note, context) -> None:
 
 def live_changed(settings, context) -> None:
     painting_changed(settings, context)
+    if settings.live:
+        viewport.show_vertex_colors(context)
     _push_undo_while_painting("Live")
 
 

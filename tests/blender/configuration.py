@@ -32,6 +32,7 @@ def run(blender: str, environment: dict[str, str], script: str) -> str:
     command = [blender, "--background", "--python-exit-code", "1", "--python-expr", script]
     done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
+    assert "Traceback" not in done.stdout + done.stderr
     return done.stdout
 
 

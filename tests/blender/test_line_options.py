@@ -137,4 +137,4 @@ def test_a_constant_field_has_no_levels_to_spread(mode):
     obj.dirichlet.patches[1].value = 0.0
     bpy.ops.dirichlet.solve_field()
     obj.dirichlet.levels_mode = mode
-    assert_refused(bpy.ops.dirichlet.make_isolines, obj, "constant|the same|empty")
+    assert_refused(bpy.ops.dirichlet.make_isolines, obj, "the field is 0 everywhere: give another patch another value")

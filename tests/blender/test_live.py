@@ -299,6 +299,14 @@ def test_color_attribute_that_somebody_paints_on_stays_active(live, grid_live):
     assert colors.active_color.name == "dirichlet_color"
 
 
+def test_material_that_the_user_put_there_stays(live, surface, grid_live):
+    grid_live.material_slots[0].material = bpy.data.materials.new("clay")
+    grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
+    settle(live)
+    assert grid_live.material_slots[0].material.name == "clay"
+    assert_current(surface, grid_live)
+
+
 def test_of_objects_on_one_mesh_the_active_one_is_live(live, surface, grid_live):
     other = link(grid_live.data, "Other")
     patch = other.dirichlet.patches.add()

@@ -14,6 +14,7 @@ from scene import field_of, painted_grid
 @pytest.fixture(autouse=True)
 def _every_mesh_is_large(live, monkeypatch):
     monkeypatch.setattr(live, "_needs_thread", lambda obj, follower: True)
+    monkeypatch.setattr(live, "_PATIENCE", 0.0)
     set_delay(live, monkeypatch, 0.0)
 
 

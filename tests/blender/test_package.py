@@ -21,7 +21,17 @@ for name, vertices in (("a", [0]), ("b", [7])):
     bpy.ops.dirichlet.patch_add_group(group=name)
 bpy.ops.dirichlet.solve_field()
 bpy.ops.dirichlet.make_isolines()
+obj.dirichlet.isolines.dirichlet_isolines.follow = True
+obj.dirichlet.levels_mode = "STEP"
+counts = []
+for frame, step in ((1, 0.3), (2, 0.15)):
+    obj.dirichlet.step = step
+    obj.dirichlet.keyframe_insert("step", frame=frame)
+for frame in (1, 2):
+    bpy.context.scene.frame_set(frame)
+    counts.append(len(obj.dirichlet.isolines.data.splines))
 print("RESULT", json.dumps({
+    "counts": counts,
     "field": [item.value for item in obj.data.attributes["dirichlet_field"].data],
     "closed": list(obj.dirichlet.isolines.data["dirichlet_closed"]),
     "files": [sys.modules[name].__file__ for name in sys.modules if name.startswith("dirichlet")],
@@ -50,5 +60,6 @@ def test_installed_zip_stays_enabled_and_its_operators_run(archive, tmp_path, su
     mesh = surface.Mesh([tuple(v.co) for v in cube.vertices], np.array([tuple(p.vertices) for p in cube.polygons]))
     expected = surface.solve(mesh, [0, 7], [0, 1]).values.astype(np.float32)
     assert result["field"] == expected.tolist()
+    assert result["counts"][0] < result["counts"][1]  # handlers are there: lines follow the frame
     assert result["closed"]
     assert all(result["closed"])

@@ -27,8 +27,9 @@ def test_add_from_group_takes_the_active_one_then_those_without_patch():
         bpy.ops.dirichlet.patch_add_group()
     assert rows(obj) == [("b", 0), ("a", 1), ("c", 2)]
     assert obj.dirichlet.active_patch == 2
-    with pytest.raises(RuntimeError, match="Every vertex group has a patch"):
-        bpy.ops.dirichlet.patch_add_group()
+    bpy.ops.dirichlet.patch_add_group()  # all are listed: another one begins, and is what is painted next
+    assert rows(obj)[3:] == [("Patch", 3)]
+    assert obj.vertex_groups.active.name == "Patch"
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])

@@ -34,6 +34,10 @@ class LevelOptions:
         """Ascending or as listed; mesh: the library's, values: (V,) of the field, not all NaN. Raises what `choose` and
         the library's ways to spread levels over a surface raise."""
         low, high = float(np.fmin.reduce(values)), float(np.fmax.reduce(values))
+        if low == high and self.mode != "LIST":
+            raise library.load().InputError(
+                say("the field is {value} everywhere: give another patch another value", value=f"{low:.6g}")
+            )
         if self.mode not in _SPREADS:
             return self.choose(low, high)
         return getattr(library.load(), _SPREADS[self.mode])(mesh, values, self.count, *self.window_in(low, high))

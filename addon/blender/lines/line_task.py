@@ -30,6 +30,7 @@ class LineTask:
     positions: NDArray[np.float64] | None  # (V, 3) that the lines are moved to; nothing where they need not
     table: ramp.ColorTable
     clock: Stopwatch
+    warnings: tuple[str, ...] = ()
 
     def compute(self, values: NDArray[np.float32], most_levels: int | None = None) -> LineOutcome:
         """values: (V,) as the mesh stores them, not all of them NaN. Raises the library's InputError, also for more
@@ -98,13 +99,15 @@ def read(
     meshes.require_mesh(obj)
     session = session or open_session(obj)
     settings = result_objects.settings_of(result, obj)
+    positions = _read_positions(obj, session, depsgraph)
     task = LineTask(
         session.mesh,
         levels.read_options(settings),
         shaping.read_options(settings, session.arrays.diagonal),
-        _read_positions(obj, session, depsgraph),
+        positions,
         ramp.read_table(obj),
         clock,
+        (_beside_surface(obj),) if _is_deformed(obj) and positions is None else (),
     )
     clock.lap("read")
     return task
@@ -124,8 +127,23 @@ def _read_positions(obj, session: Session, depsgraph) -> NDArray[np.float64] | N
     """Where the vertices are shown, unless it is where they are or modifiers change the faces."""
     if obj.dirichlet.use_modifiers:
         return evaluated.require_positions(obj, session.arrays, depsgraph)
-    deformed = obj.modifiers or obj.data.shape_keys
-    return evaluated.read_positions(obj, session.arrays, depsgraph) if deformed else None
+    return evaluated.read_positions(obj, session.arrays, depsgraph) if _is_deformed(obj) else None
+
+
+def _is_deformed(obj: bpy.types.Object) -> bool:
+    return bool(obj.modifiers or obj.data.shape_keys)
+
+
+def _beside_surface(obj: bpy.types.Object) -> str:
+    return say(
+        "modifiers of object '{object}' change its faces: the lines lie on the mesh without them, so apply them, such "
+        "as Subdivision Surface, before painting",
+        object=obj.name,
+    )
+
+
+def _no_lines() -> str:
+    return say("there are no isolines: no level lies between values that meet, or all lines are below Shortest")
 
 
 def write(obj: bpy.types.Object, outcome: LineOutcome, result: bpy.types.Object | None) -> IsolineResult:
@@ -136,7 +154,8 @@ def write(obj: bpy.types.Object, outcome: LineOutcome, result: bpy.types.Object 
     drawn = result_drawing.write(obj, result, lines, outcome.colors, outcome.factors)
     task.clock.lap("write")
     seconds = task.clock.laps | {"connectivity": task.mesh.build_seconds}
-    made = IsolineResult(lines, drawn, tuple(lines.warnings), seconds)
+    warnings = (*task.warnings, *lines.warnings, *(() if len(lines) else (_no_lines(),)))
+    made = IsolineResult(lines, drawn, warnings, seconds)
     if result_objects.find(obj) == drawn:
         results.record_isolines(obj.dirichlet.results, made)
     return made

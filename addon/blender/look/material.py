@@ -46,14 +46,18 @@ def show(
     """Assigns the field material to every slot of the object, made with `stops` if there is none yet; `ends` are the
     values at the ends of its ramp, `undefined` is the colour where the field is NaN. Returns warnings."""
     material = _single_user(obj, find(obj) or _build(obj.name, stops, undefined))
-    limits = material.node_tree.nodes[_RANGE].inputs
-    for name, end in zip(("From Min", "From Max"), ends):
-        if limits[name].default_value != end:  # every write makes Blender evaluate the material again
-            limits[name].default_value = end
+    _set_range(material, ends)
     if not obj.material_slots:
         obj.data.materials.append(material)
     kept = [slot.material.name for slot in obj.material_slots if not _assign(slot, material)]
     return [say("material '{name}' is linked to the object, so it was left where it is", name=name) for name in kept]
+
+
+def update_range(obj: bpy.types.Object, ends: tuple[float, float]) -> None:
+    """As `show`, but leaves the slots as they are: the user may have put another material there."""
+    material = find(obj)
+    if material and not material.library:
+        _set_range(_single_user(obj, material), ends)
 
 
 def restore(obj: bpy.types.Object) -> None:
@@ -120,6 +124,13 @@ def add_node(nodes: bpy.types.Nodes, kind: str, location: tuple[int, int], name:
 
 def _is_ours(material: bpy.types.Material | None) -> bool:
     return bool(material and material.node_tree and {_RAMP, _RANGE} <= set(material.node_tree.nodes.keys()))
+
+
+def _set_range(material: bpy.types.Material, ends: tuple[float, float]) -> None:
+    limits = material.node_tree.nodes[_RANGE].inputs
+    for name, end in zip(("From Min", "From Max"), ends):
+        if limits[name].default_value != end:  # every write makes Blender evaluate the material again
+            limits[name].default_value = end
 
 
 def _assign(slot: bpy.types.MaterialSlot, material: bpy.types.Material) -> bool:

@@ -28,10 +28,12 @@ def read_weights(mesh: bpy.types.Mesh, names: Sequence[str]) -> Iterator[NDArray
                 yield weights
 
 
-def add_group(obj: bpy.types.Object, name: str, vertices: NDArray[np.intp]) -> str:
-    """Makes a vertex group with these vertices at weight 1; returns the name that Blender gave it."""
+def add_group(obj: bpy.types.Object, name: str, vertices: Sequence[int] | NDArray[np.intp]) -> str:
+    """Makes a vertex group with these vertices at weight 1, and makes it active, so that it is painted on; returns the
+    name that Blender gave it."""
     group = obj.vertex_groups.new(name=name)
-    group.add(vertices.tolist(), 1.0, "REPLACE")
+    group.add(np.asarray(vertices, np.intp).tolist(), 1.0, "REPLACE")
+    obj.vertex_groups.active = group
     return group.name
 
 

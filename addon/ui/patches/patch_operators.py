@@ -20,21 +20,20 @@ def _unlisted(obj: bpy.types.Object) -> list[str]:
 class DIRICHLET_OT_patch_add_group(bpy.types.Operator):
     bl_idname = "dirichlet.patch_add_group"
     bl_label = "Add Patch from Group"
-    bl_description = "Add a patch for the active vertex group, or for the first one that has no patch yet"
+    bl_description = (
+        "Add a patch for the active vertex group, or for the first one that has no patch yet; else for a new, empty "
+        "one, to be painted"
+    )
     bl_options = {"REGISTER", "UNDO"}
 
     group: StringProperty(
-        name="Vertex Group", description="Vertex group of the patch; empty: the active one, or the first without patch"
+        name="Vertex Group",
+        description="Vertex group of the patch; empty: the active one, the first without patch, or a new one",
     )
 
     @classmethod
     def poll(cls, context):
-        if not poll_mesh(cls, context):
-            return False
-        if not context.active_object.vertex_groups:
-            cls.poll_message_set(say("Paint weights first, or select vertices and use Add Patch from Selected"))
-            return False
-        return True
+        return poll_mesh(cls, context)
 
     def execute(self, context):
         from ...blender.paint import patches
@@ -46,10 +45,10 @@ class DIRICHLET_OT_patch_add_group(bpy.types.Operator):
             )
             return {"CANCELLED"}
         names = [self.group] if self.group else _unlisted(obj)
-        if not names:
-            self.report({"ERROR"}, "Every vertex group has a patch already: paint another one first")
-            return {"CANCELLED"}
-        patches.add(obj, names[0])
+        if names:
+            patches.add(obj, names[0])
+        else:
+            patches.add_group(obj, "Patch", ())
         return {"FINISHED"}
 
 

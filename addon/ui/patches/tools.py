@@ -37,11 +37,17 @@ class AddPatchInWeightPaint(_AddPatch, bpy.types.WorkSpaceTool):
 _TOOLS = (AddPatchInObjectMode, AddPatchInWeightPaint)
 
 
+_registered: list[type] = []
+
+
 def register() -> None:
+    if bpy.context.window_manager.keyconfigs.addon is None:  # while Blender starts without a window
+        return
     for tool in _TOOLS:
         bpy.utils.register_tool(tool, separator=True)
+        _registered.append(tool)
 
 
 def unregister() -> None:
-    for tool in reversed(_TOOLS):
-        bpy.utils.unregister_tool(tool)
+    while _registered:
+        bpy.utils.unregister_tool(_registered.pop())
