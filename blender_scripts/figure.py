@@ -106,6 +106,6 @@ def _limits(addon: ModuleType, obj: bpy.types.Object) -> tuple[float, float]:
 
 def _legend(addon: ModuleType, obj: bpy.types.Object, window: tuple[float, float]) -> Legend:
     low, high = _limits(addon, obj)
-    linear = part(addon, "blender.look.ramp").colors(obj, np.linspace(low, high, 512), (low, high))
+    linear = part(addon, "blender.look.ramp").read_table(obj).apply(np.linspace(low, high, 512), (low, high))
     bytes_ = part(addon, "library").load("ramps").srgb_bytes(linear[:, :3])
     return Legend(bytes_.astype(np.float32) / 255, low, high, window)

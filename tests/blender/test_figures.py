@@ -28,6 +28,16 @@ def test_a_picture_leaves_nothing_in_the_file(addon, pipeline, tmp_path):
     assert tuple(bpy.data.images.load(str(tmp_path / "out.png")).size) == (24, 20)
 
 
+def test_legend_of_a_figure_has_the_ramps_colors(addon, pipeline):
+    obj = painted_grid()
+    pipeline.solve_field(obj)
+    legend = importlib.import_module("figure")._legend(addon, obj, (0.25, 0.5))
+    assert (legend.low, legend.high, legend.window) == (0.0, 1.0, (0.25, 0.5))
+    assert legend.colors.shape == (512, 3)
+    assert legend.colors[0].argmax() == 2  # blue
+    assert legend.colors[-1].argmax() == 0  # red
+
+
 def test_a_sheet_that_cannot_be_written_is_an_os_error(tmp_path, monkeypatch):
     sheet = importlib.import_module("figure_sheet").Sheet(16, 16)
     with pytest.raises(FileNotFoundError):
