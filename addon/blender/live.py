@@ -43,7 +43,7 @@ def changed(obj: bpy.types.Object, what: Change, *, brush: bool = False) -> None
 
 
 def catch_up(depsgraph: bpy.types.Depsgraph) -> None:
-    """Does what is due and quickly done, in a handler after which Blender evaluates by itself."""
+    """Does what is due, or begins on it, in a handler after which Blender evaluates by itself."""
     global _operator
     for address, follower in list(_followers.items()):
         if follower.has_something_to_do():
@@ -143,7 +143,7 @@ def _advance(
     thread: bool,
     depsgraph: bpy.types.Depsgraph | None = None,
 ) -> None:
-    """Writes what is computed, begins on what is due, and writes that where it is computed here."""
+    """Writes what is computed, begins on what is due, and writes that too unless a thread takes long."""
     _finish(follower, obj)
     follower.begin(obj, thread=thread, depsgraph=depsgraph)
     follower.wait(_PATIENCE)

@@ -90,3 +90,14 @@ def test_solver_that_could_not_be_made_does_not_spoil_the_session(sessions, surf
             pipeline.solve_field(obj)
     obj.dirichlet.method = "auto"
     assert np.array_equal(pipeline.solve_field(obj).field.values, expected)
+
+
+def test_session_that_makes_room_for_others_ends_what_it_computes(sessions, addon):
+    painting = importlib.import_module(f"{addon.__name__}.blender.paint.painting")
+    obj = painted_grid()
+    session, painted = sessions.open_session(obj), painting.combine(obj, painting.read_patches(obj))
+    for k in range(5):
+        sessions.open_session(painted_grid(name=f"Grid {k}"))
+    assert sessions.open_session(obj) is not session
+    values, _ = session.paint(painted, {"method": "auto"})
+    assert np.isfinite(values).all()

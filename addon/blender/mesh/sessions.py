@@ -83,7 +83,7 @@ def open_session(obj: bpy.types.Object) -> Session:
         session = Session(arrays)
     _sessions[key] = session
     if len(_sessions) > _MOST:
-        _sessions.popitem(last=False)[1].stop()
+        _sessions.popitem(last=False)  # not stopped: what it computes may still be waited for
     return session
 
 
