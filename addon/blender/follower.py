@@ -72,7 +72,7 @@ class Follower:
         self.preview: Preview | None = None
         self.seconds: dict[str, float] = {}
         self._work: _Work | None = None  # what the job computes; nothing when it could not be read
-        self._in_thread = False
+        self._unwatched = False  # others may have changed the object since it was read
         self._begun = 0.0
 
     def note(self, what: Change, *, resting: bool) -> None:
@@ -84,9 +84,11 @@ class Follower:
                 self._work.field.session.interrupt()  # a newer painting is there
 
     def wait(self, seconds: float) -> None:
-        """For a thread, which is so quick as a rule that the change and what follows it are drawn together."""
+        """For a thread just begun, which is so quick as a rule that the change and what follows it are drawn together:
+        then nobody else has touched the object since it was read."""
         if self.job:
             wait([self.job], timeout=seconds)
+            self._unwatched = not self.job.done()
 
     def is_computing(self) -> bool:
         return self.job is not None and not self.job.done()
@@ -106,7 +108,7 @@ class Follower:
         self.pending &= ~what
         if obj.mode == "EDIT":
             return  # for what follows, leaving it is a change again
-        self._begun, self._work, self._in_thread = perf_counter(), None, thread
+        self._begun, self._work, self._unwatched = perf_counter(), None, thread
         try:
             self._work = self._read(obj, what, depsgraph)
             self.job = (threads.start if thread else threads.run)(self._work.compute)
@@ -138,7 +140,7 @@ class Follower:
         """Whether the object is what was read: meanwhile it may have been edited, or another be in its place."""
         if obj.mode == "EDIT":
             return False
-        session = work.session if work and self._in_thread else None
+        session = work.session if work and self._unwatched else None
         return session is None or session.arrays.same_faces(meshes.read_arrays(obj.data))
 
     def _read(self, obj: bpy.types.Object, what: Change, depsgraph: bpy.types.Depsgraph | None) -> _Work:

@@ -79,18 +79,21 @@ def _read_positions(mesh: bpy.types.Mesh) -> NDArray[np.float32]:
 
 def read_polygons(mesh: bpy.types.Mesh) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
     """Offsets (F + 1,) and corners (C,)."""
-    corners, starts, sizes = (np.empty(len(items), np.uint32) for items in (mesh.loops, mesh.polygons, mesh.polygons))
+    corners = np.empty(len(mesh.loops), np.uint32)
+    offsets = np.empty(len(mesh.polygons) + 1, np.uint32)
+    mesh.polygons.foreach_get("loop_start", offsets[:-1])
+    offsets[-1] = len(corners)
     stored = mesh.attributes.get(".corner_vert")  # from Blender 3.6 on, and many times faster there
     if stored:
         stored.data.foreach_get("value", corners.view(np.int32))
-    else:
-        mesh.loops.foreach_get("vertex_index", corners)
-    mesh.polygons.foreach_get("loop_start", starts)
+        return offsets.view(np.int32), corners.view(np.int32)
+    mesh.loops.foreach_get("vertex_index", corners)
+    sizes = np.empty(len(mesh.polygons), np.uint32)
     mesh.polygons.foreach_get("loop_total", sizes)
-    offsets = np.concatenate(([0], np.cumsum(sizes, dtype=np.int64)))
-    if not np.array_equal(offsets[:-1], starts):  # before Blender 3.6 faces may own any stretch of the loops
+    if not np.array_equal(np.diff(offsets), sizes):  # before Blender 3.6 faces may own any stretch of the loops
+        starts, offsets = offsets[:-1], np.concatenate(([0], np.cumsum(sizes, dtype=np.int64)))
         corners = corners[np.repeat(starts - offsets[:-1], sizes) + np.arange(offsets[-1])]
-    return offsets.astype(np.int32), corners.view(np.int32)
+    return offsets.astype(np.int32, copy=False), corners.view(np.int32)
 
 
 def read_edges(mesh: bpy.types.Mesh) -> NDArray[np.int32]:
