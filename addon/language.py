@@ -12,6 +12,11 @@ def say(message: str, **values: object) -> str:
     return _of_reports(message).format(**values)
 
 
+def counted(count: int, one: str, many: str) -> str:
+    """So many of something: `one` says "1 …", `many` has the place {count}."""
+    return say(one) if count == 1 else say(many, count=count)
+
+
 def label(text: str, **values: object) -> str:
     """A text in a panel, with values as `say` takes them."""
     return bpy.app.translations.pgettext_iface(text).format(**values)

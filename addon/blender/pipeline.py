@@ -6,9 +6,11 @@ Plain functions for operators, scripts and tests. They raise the library's Diric
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import bpy
 
-from . import field_task
+from . import field_task, freshness
 from .field_task import FieldResult
 from .lines import line_task, result_objects
 from .lines.line_task import IsolineResult
@@ -34,14 +36,22 @@ def make_isolines(obj: bpy.types.Object) -> IsolineResult:
     """Extracts isolines of the field that the mesh carries, and writes them into the object's result; a locked one
     stays, and another is made."""
     result = result_objects.find_unlocked(obj)
-    return line_task.write(obj, line_task.read(obj, result).compute(line_task.read_values(obj)), result)
+    return write_isolines(obj, line_task.read(obj, result).compute(line_task.read_values(obj)), result)
 
 
 def refresh(result: bpy.types.Object) -> IsolineResult:
     """Makes the lines of a result anew: by the settings of its mesh object if it is the bound one, else by its own."""
     source = result_objects.require_source(result)
     task = line_task.read(source, result)
-    return line_task.write(source, task.compute(line_task.read_values(source)), result)
+    return write_isolines(source, task.compute(line_task.read_values(source)), result)
+
+
+def write_isolines(
+    obj: bpy.types.Object, outcome: line_task.LineOutcome, result: bpy.types.Object | None
+) -> IsolineResult:
+    """Writes lines that are computed, as line_task.write does, and warns of a field that is older than its patches."""
+    made, doubt = line_task.write(obj, outcome, result), freshness.doubt(obj)
+    return replace(made, warnings=(doubt, *made.warnings)) if doubt else made
 
 
 def update_colors(obj: bpy.types.Object) -> None:

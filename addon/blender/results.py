@@ -6,6 +6,8 @@ from __future__ import annotations
 import bpy
 import numpy as np
 
+from . import freshness
+
 
 def record_field(results: bpy.types.PropertyGroup, solved) -> None:
     """solved: pipeline.FieldResult. Forgets the isolines of the field before."""
@@ -18,6 +20,7 @@ def record_field(results: bpy.types.PropertyGroup, solved) -> None:
     results.connectivity_ms = 1000 * seconds["connectivity"]
     stages = ("laplacian", "analysis", "injection", "factorisation", "solve")
     results.solver_ms = 1000 * sum(seconds[stage] for stage in stages)
+    results.fingerprint = freshness.fingerprint(results.id_data, solved.painting)
     results.field_warnings = "\n".join(solved.warnings)
 
 

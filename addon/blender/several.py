@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import bpy
 
 from .. import library
-from ..language import say
+from ..language import counted, say
 from . import field_task, pipeline
 from .lines import line_task, result_objects
 from .mesh import meshes, sessions
@@ -58,10 +58,11 @@ def make_isolines(objects: Sequence[bpy.types.Object]) -> Work:
             one.keep(meshes.read_arrays(obj.data))
             outcomes.append((yield Step(one.name, (number + 0.3) / len(held), partial(task.compute, values))))
     objects = [one.find() for one in held]
-    made = [line_task.write(obj, outcome, result_objects.find_unlocked(obj)) for obj, outcome in zip(objects, outcomes)]
-    lines = sum(len(result.lines) for result in made)
+    found = [result_objects.find_unlocked(obj) for obj in objects]
+    made = [pipeline.write_isolines(*one) for one in zip(objects, outcomes, found)]
+    lines = counted(sum(len(result.lines) for result in made), "1 isoline", "{count} isolines")
     closed = sum(int(result.lines.closed.sum()) for result in made)
-    summary = say("{lines} isolines on {count} objects, {closed} closed", lines=lines, count=len(made), closed=closed)
+    summary = say("{lines} on {count} objects, {closed} closed", lines=lines, count=len(made), closed=closed)
     return Made(made, summary if len(made) > 1 else made[0].summary, tuple(_warnings(objects, made)))
 
 

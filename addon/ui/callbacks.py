@@ -2,6 +2,7 @@
 """What follows when a property of Object.dirichlet or Object.dirichlet_isolines changes."""
 
 from contextlib import suppress
+from math import dist
 
 import bpy
 
@@ -78,6 +79,20 @@ def get_patch_color(patch) -> tuple[float, float, float]:
     from ..blender.look import ramp
 
     return ramp.color_at(patch.id_data, patch.value)
+
+
+def get_disc_radius(settings) -> float:
+    return settings.disc_size * _box_diagonal(settings.id_data)
+
+
+def set_disc_radius(settings, radius: float) -> None:
+    settings.disc_size = radius / (_box_diagonal(settings.id_data) or 1.0)
+
+
+def _box_diagonal(obj: bpy.types.Object) -> float:
+    """In object space; known to Blender, while the mesh's own would be found anew at every redraw."""
+    low, *_, high = sorted(map(tuple, obj.bound_box))
+    return dist(low, high)
 
 
 # The window follows the field's range until one of its ends is set; the other end then starts at that range's.

@@ -63,10 +63,20 @@ def report_made(operator: bpy.types.Operator, made) -> set[str]:
     return {"FINISHED"}
 
 
-def write_sentence(layout: bpy.types.UILayout, context: bpy.types.Context, sentence: str, icon: str) -> None:
-    """A sentence over as many lines as the sidebar's width asks for."""
+def write_sentence(
+    layout: bpy.types.UILayout, context: bpy.types.Context, sentence: str, icon: str, lines: int = 1
+) -> None:
+    """A sentence over as many lines as the sidebar's width asks for, and at least so many, so that what stands below
+    it need not jump."""
     characters = max(20, int(context.region.width / (7 * context.preferences.system.ui_scale)) - 6)
     column = layout.column(align=True)
     column.scale_y = 0.8
-    for k, line in enumerate(textwrap.wrap(sentence, characters)):
+    wrapped = textwrap.wrap(sentence, characters)
+    for k, line in enumerate(wrapped + [""] * (lines - len(wrapped))):
         column.label(text=line, icon=icon if k == 0 else "BLANK1")
+
+
+def length(context: bpy.types.Context, value: float) -> str:
+    """A length as number fields show it, by the scene's units."""
+    units = context.scene.unit_settings
+    return bpy.utils.units.to_string(units.system, "LENGTH", value * units.scale_length, precision=4).strip()

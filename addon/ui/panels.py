@@ -6,12 +6,14 @@ import bpy
 from .. import library
 from ..blender.lines import result_objects
 from ..blender.look import material
-from ..language import label
+from ..language import counted, label
 from .common import write_sentence
 from .field.presets_panel import DIRICHLET_PT_presets
 from .lines.line_layout import draw_line_settings, draw_lock, properties
 from .patches.lists import draw_patch_list
 from .patches.tools import ADD_PATCH
+
+_PATCH_LINES, _STATE_LINES = 2, 3  # that most sentences take, kept free for them: what is below does not jump
 
 
 class _Panel:
@@ -53,11 +55,24 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
 def _draw_patch(layout: bpy.types.UILayout, context: bpy.types.Context, patch: bpy.types.PropertyGroup) -> None:
     """What there is to say and set of the selected one."""
     if patch.problem:
-        write_sentence(layout, context, patch.problem, "ERROR")
-    elif patch.vertices:
-        layout.label(text=label("{vertices:,} vertices", vertices=patch.vertices), icon="CHECKMARK")
+        write_sentence(layout, context, patch.problem, "ERROR", _PATCH_LINES)
+    else:
+        sentence = (
+            counted(patch.vertices, "1 vertex", "{count:,} vertices") if patch.vertices else label("Not counted yet")
+        )
+        write_sentence(layout, context, sentence, "CHECKMARK" if patch.vertices else "INFO", _PATCH_LINES)
     if not patch.weights_as_values:
         properties(layout).prop(patch, "value")
+
+
+def _draw_state(layout: bpy.types.UILayout, context: bpy.types.Context, results: bpy.types.PropertyGroup) -> None:
+    """What is to be known of the field."""
+    sentence, icon = label("Not solved yet"), "INFO"
+    if results.problem:
+        sentence, icon = results.problem, "ERROR"
+    elif results.solved:
+        sentence, icon = label("{low:.6g} to {high:.6g}", low=results.minimum, high=results.maximum), "CHECKMARK"
+    write_sentence(layout, context, sentence, icon, _STATE_LINES)
 
 
 class DIRICHLET_PT_patch_options(_Panel, bpy.types.Panel):
@@ -92,8 +107,7 @@ class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
         row.scale_y = 1.4
         row.operator("dirichlet.solve_field", icon="SHADING_RENDERED")
         row.prop(settings, "live", toggle=True, icon="REC" if settings.live else "RADIOBUT_OFF")
-        if settings.results.problem:
-            write_sentence(layout, context, settings.results.problem, "ERROR")
+        _draw_state(layout, context, settings.results)
         properties(layout).prop(settings, "ramp_preset")
         ramp = material.find_ramp(obj)
         if not ramp:
@@ -158,9 +172,8 @@ class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
         if results.undefined:
             rows.append((label("Undefined"), f"{results.undefined:,}"))
         if results.extracted:
-            rows.append(
-                (label("Lines"), label("{lines} at {levels} levels", lines=results.lines, levels=results.levels))
-            )
+            levels = counted(results.levels, "1 level", "{count} levels")
+            rows.append((label("Lines"), label("{lines} at {levels}", lines=results.lines, levels=levels)))
             rows.append((label("Closed / open"), f"{results.closed} / {results.lines - results.closed}"))
         table = layout.split(factor=0.45)
         names, numbers = table.column(align=True), table.column(align=True)

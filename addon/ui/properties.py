@@ -94,16 +94,23 @@ class DirichletSettings(LineSettings, PreviewSettings, bpy.types.PropertyGroup):
         ),
         update=callbacks.painting_changed,
     )
-    disc_radius: FloatProperty(
-        name="Radius",
-        description="Radius along the surface of the next disc that Add Patch adds, as a fraction of the diagonal of "
-        "the mesh's bounding box. Dragging sets it",
+    disc_size: FloatProperty(
+        name="Disc Size",
+        description="Radius of the next disc that Add Patch adds, as a fraction of the diagonal of the object's "
+        "bounding box",
         default=0.05,
         min=0.0,
-        soft_min=0.001,
-        soft_max=0.5,
-        precision=3,
-        step=0.5,
+    )
+    disc_radius: FloatProperty(
+        name="Radius",
+        description="Radius along the surface of the next disc that Add Patch adds, before the object is scaled. "
+        "Dragging sets it",
+        subtype="DISTANCE",
+        min=0.0,
+        precision=4,
+        options={"SKIP_SAVE"},  # Disc Size is what meshes of other sizes take
+        get=callbacks.get_disc_radius,
+        set=callbacks.set_disc_radius,
     )
     method: EnumProperty(
         name="Method",

@@ -26,6 +26,9 @@ class DirichletResults(bpy.types.PropertyGroup):
     solver_ms: FloatProperty(
         name="Solver", description="Milliseconds for Laplacian, analysis, injection, factorisation and solve together"
     )
+    fingerprint: StringProperty(
+        name="Fingerprint", description="Of the painting that was solved for: tells whether the patches changed since"
+    )
     problem: StringProperty(name="Problem", description="Why the field or its lines could not follow the last change")
     field_warnings: StringProperty(name="Field Warnings", description="Warnings of the last solve, one a line")
     extracted: BoolProperty(name="Extracted", description="Make Isolines has run on the field solved last")

@@ -81,9 +81,21 @@ def test_the_field_takes_the_value_on_the_disc():
 def test_the_radius_is_remembered():
     obj = painted_grid()
     disc(radius=2.0)
-    assert obj.dirichlet.disc_radius == pytest.approx(2 / np.hypot(11, 6))
+    assert obj.dirichlet.disc_radius == pytest.approx(2)
     bpy.ops.dirichlet.add_patch_disc(location=(3, 3, 0))
     assert members(obj, "Disc.001") == near(obj, (3, 3, 0), 2.0)
+    other = painted_grid(columns=23, rows=13, name="Other")  # as far as settings are copied, it is a part of the box
+    other.dirichlet.disc_size = obj.dirichlet.disc_size
+    assert other.dirichlet.disc_radius == pytest.approx(4)
+
+
+@pytest.mark.parametrize(("system", "scale", "said"), [("METRIC", 0.01, "radius 2 cm"), ("NONE", 1, "radius 2\n")])
+def test_the_radius_is_said_in_the_units_of_the_scene(capfd, system, scale, said):
+    units = bpy.context.scene.unit_settings
+    units.system, units.scale_length = system, scale
+    painted_grid()
+    disc(radius=2.0)
+    assert said in capfd.readouterr().out
 
 
 def test_adding_a_disc_is_one_undo_step():

@@ -249,3 +249,46 @@ def test_points_that_coincide_in_float32_are_one(addon):
     assert drawn.offsets.tolist() == [0, 3, 6, 9]
     assert np.array_equal(drawn.points[:, 0], [1, 2, 3, 2, 3, 1, 6, 7, 6])
     assert drawn.level.tolist() == [0, 1, 4]
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        (lambda obj: setattr(obj.dirichlet.patches[0], "value", 0.5), "run Solve Field"),
+        (lambda obj: setattr(obj.dirichlet.patches[1], "enabled", False), "run Solve Field"),
+        (lambda obj: obj.vertex_groups["left"].add([1], 1.0, "REPLACE"), "run Solve Field"),
+        (lambda obj: setattr(obj.vertex_groups["left"], "name", "west"), "has no vertex group 'left'"),
+    ],
+)
+@pytest.mark.parametrize("operator", ["make_isolines", "result_refresh"])
+def test_lines_of_a_field_older_than_its_patches_say_so(capfd, operator, change, reason):
+    obj = painted_grid()
+    bpy.ops.dirichlet.solve_field()
+    bpy.ops.dirichlet.make_isolines()
+    assert "older" not in capfd.readouterr().out
+    change(obj)
+    if operator == "result_refresh":
+        bpy.context.view_layer.objects.active = obj.dirichlet.isolines
+    assert getattr(bpy.ops.dirichlet, operator)() == {"FINISHED"}
+    said = capfd.readouterr().out
+    assert "the field of 'Grid' is older than its patches" in said
+    assert reason in said
+
+
+def test_numbers_are_said_as_people_write_them(capfd):
+    obj = painted_grid()
+    bpy.ops.dirichlet.solve_field()
+    settings = obj.dirichlet
+    settings.levels_mode, settings.levels_list = "LIST", "0.5"
+    bpy.ops.dirichlet.make_isolines()
+    assert "1 isoline at 1 level, 0 closed" in capfd.readouterr().out
+    settings.levels_mode, settings.step = "STEP", -0.1
+    with pytest.raises(RuntimeError, match=r"the step is -0\.1, but"):
+        bpy.ops.dirichlet.make_isolines()
+    settings.step = 0.1
+    bpy.ops.dirichlet.make_isolines()
+    assert list(obj.dirichlet.isolines.data["dirichlet_level"])[2] == 3 * 0.1
+    obj.dirichlet.patches[0].value = 0.1
+    obj.vertex_groups["right"].add([0], 1.0, "REPLACE")
+    with pytest.raises(RuntimeError, match=r"'left' with value 0\.1 and"):
+        bpy.ops.dirichlet.solve_field()

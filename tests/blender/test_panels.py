@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What panels draw, for a layout that writes it down."""
 
+import importlib
 from types import SimpleNamespace
 
 import bpy
@@ -20,13 +21,27 @@ class Layout:
     def prop(self, _, name, **__):
         self.drawn.append(name)
 
+    def label(self, text="", **_):
+        self.drawn.append(text)  # empty ones too, which take as much place
+
     def __getattr__(self, _):
-        return lambda **__: self
+        return lambda *_, **__: self
 
 
-def drawn(panel):
+def context(width=2000):
+    """The context of a sidebar so wide."""
+    return SimpleNamespace(
+        active_object=bpy.context.active_object,
+        object=bpy.context.object,
+        mode=bpy.context.mode,
+        preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=1)),
+        region=SimpleNamespace(width=width),
+    )
+
+
+def drawn(panel, width=2000):
     layout = Layout()
-    getattr(bpy.types, panel).draw(SimpleNamespace(layout=layout), bpy.context)
+    getattr(bpy.types, panel).draw(SimpleNamespace(layout=layout), context(width))
     return layout.drawn
 
 
@@ -53,3 +68,24 @@ def test_a_result_that_the_user_deleted_has_no_switches(result):
     result.select_set(True)
     bpy.ops.object.delete()
     assert not {"follow", "locked"} & set(drawn("DIRICHLET_PT_isolines"))
+
+
+def test_a_disowned_result_says_so_and_shows_settings_of_its_own(result):
+    bpy.data.objects.remove(result.dirichlet_isolines.source)
+    bpy.context.view_layer.objects.active = result
+    shown = drawn("DIRICHLET_PT_result_sidebar")
+    assert any("is gone" in text for text in shown)
+    assert {"dirichlet.result_remove", "source", "levels_mode"} < set(shown)
+    drawn("DIRICHLET_PT_result_sidebar_shape")
+
+
+def test_what_there_is_to_say_moves_nothing(addon, sheet):
+    panels = importlib.import_module(f"{addon.__name__}.ui.panels")
+    results, patch = sheet.dirichlet.results, sheet.dirichlet.patches[0]
+    heights = set()
+    for solved, vertices, problem in ((False, 0, ""), (True, 9, ""), (True, 9, "Overlaps 'Disc.001', 'Disc.002'")):
+        results.solved, results.problem, patch.vertices, patch.problem = solved, problem, vertices, problem
+        layout = Layout()
+        panels._draw_patch(layout, context(250), patch)
+        heights.add((len(drawn("DIRICHLET_PT_field", 250)), len(layout.drawn)))
+    assert len(heights) == 1

@@ -24,6 +24,7 @@ def lines_of(obj):
 
 def test_the_line_runs_through_the_picked_point():
     obj = solved_grid()
+    obj.dirichlet.levels_mode = "LIST"
     pick()
     bpy.ops.dirichlet.make_isolines()
     (line,) = lines_of(obj)
@@ -32,26 +33,48 @@ def test_the_line_runs_through_the_picked_point():
 
 def test_the_level_at_a_vertex_is_its_value():
     obj = solved_grid()
+    obj.dirichlet.levels_mode = "LIST"
     pick(location=obj.data.vertices[42].co)
     assert np.float32(obj.dirichlet.levels_list) == field_of(obj)[42]
 
 
-def test_from_another_mode_the_list_begins_anew_and_then_grows():
+def test_the_list_grows_by_what_is_picked():
     obj = solved_grid()
-    obj.dirichlet.levels_list = "0.1, 0.9"
-    assert obj.dirichlet.levels_mode == "EVEN"
+    obj.dirichlet.levels_mode = "LIST"
+    for before, after in (("", "0.25"), ("0.5", "0.5, 0.25"), ("0.5;", "0.5, 0.25")):
+        obj.dirichlet.levels_list = before
+        pick(location=(2.75, 0, 0))
+        assert obj.dirichlet.levels_list == after
+
+
+@pytest.mark.parametrize(
+    ("mode", "levels"), [("EVEN", "0.125, 0.375, 0.625, 0.875"), ("STEP", "0.25, 0.5, 0.75"), ("EQUAL_AREA", None)]
+)
+def test_from_another_mode_no_line_is_lost(mode, levels):
+    obj = solved_grid()
+    settings = obj.dirichlet
+    settings.levels_mode, settings.count, settings.step, settings.levels_list = mode, 4, 0.25, "7"
+    bpy.ops.dirichlet.make_isolines()
+    before = np.array(settings.isolines.data["dirichlet_level"])
     pick(location=(5.5, 0, 0))
-    assert (obj.dirichlet.levels_mode, obj.dirichlet.levels_list) == ("LIST", "0.5")
+    assert settings.levels_mode == "LIST"
+    assert levels is None or settings.levels_list == f"{levels}, 0.5"
+    bpy.ops.dirichlet.make_isolines()
+    assert set(before.astype(np.float32)) <= set(np.float32(settings.isolines.data["dirichlet_level"]))
+
+
+def test_what_becomes_of_the_mode_is_said(capfd):
+    solved_grid()
+    pick(location=(5.5, 0, 0))
+    assert "Level 0.5 added; those of Even are listed now" in capfd.readouterr().out
     pick(location=(2.75, 0, 0))
-    assert obj.dirichlet.levels_list == "0.5, 0.25"
-    obj.dirichlet.levels_list = "0.5;"
-    pick(location=(2.75, 0, 0))
-    assert obj.dirichlet.levels_list == "0.5, 0.25"
+    assert "Level 0.25 added to the list" in capfd.readouterr().out
 
 
 @pytest.mark.parametrize("mode", ["WEIGHT_PAINT", "VERTEX_PAINT"])
 def test_it_picks_while_painting(mode):
     obj = solved_grid()
+    obj.dirichlet.levels_mode = "LIST"
     bpy.ops.object.mode_set(mode=mode)
     pick(location=(5.5, 0, 0))
     assert obj.dirichlet.levels_list == "0.5"

@@ -237,11 +237,44 @@ def test_other_objects_are_refused(sheet, operator):
     assert_refused(getattr(bpy.ops.dirichlet, f"result_{operator}"), sheet, r"poll\(\) Select isolines first")
 
 
-def test_a_result_whose_source_is_gone_is_an_ordinary_object(sheet):
+def test_a_result_whose_source_was_deleted_keeps_its_settings_for_another(sheet):
+    sheet.dirichlet.count = 5
     result = make(sheet)
-    bpy.data.objects.remove(sheet)
+    activate(sheet)
+    bpy.ops.object.delete()
     activate(result)
-    assert not bpy.ops.dirichlet.result_refresh.poll()
+    for operator in ("result_refresh", "result_select_source"):
+        with pytest.raises(RuntimeError, match="is gone: choose another as Source"):
+            getattr(bpy.ops.dirichlet, operator)()
+    assert result.dirichlet_isolines.count == 5
+    other = painted_grid(name="Other")
+    bpy.ops.dirichlet.solve_field()
+    result.dirichlet_isolines.source = other
+    refresh(result)
+    assert len(levels(result)) == 5
+    assert result.dirichlet_isolines.count == 5
+
+
+@pytest.mark.parametrize("how", ["by the user", "from the file"])
+def test_a_disowned_result_can_be_removed(sheet, how):
+    result = make(sheet)
+    if how == "by the user":
+        activate(sheet)
+        bpy.ops.object.delete()
+    else:
+        bpy.data.objects.remove(sheet)
+    activate(result)
+    assert bpy.ops.dirichlet.result_remove() == {"FINISHED"}
+    assert not bpy.context.scene.objects
+    assert not bpy.data.curves
+
+
+def test_the_library_function_refuses_a_disowned_result_too(sheet, surface, pipeline):
+    result = make(sheet)
+    activate(sheet)
+    bpy.ops.object.delete()
+    with pytest.raises(surface.InputError, match="has no mesh object that it was made of"):
+        pipeline.refresh(result)
 
 
 def test_a_saved_file_remembers_results(sheet, tmp_path):

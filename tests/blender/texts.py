@@ -51,6 +51,8 @@ def _shown(node: ast.AST) -> Iterator[ast.expr]:
     name = getattr(node.func, "attr", getattr(node.func, "id", ""))
     if isinstance(node.func, ast.Name) and name in _SAID:
         yield node.args[0]
+    elif isinstance(node.func, ast.Name) and name == "counted":
+        yield from node.args[1:]
     elif name == "report" and len(node.args) == 2:
         yield node.args[1]
     elif name in ("poll_message_set", "status_text_set", "header_text_set"):

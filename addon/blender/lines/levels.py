@@ -61,10 +61,14 @@ class LevelOptions:
 
 def read_options(settings: bpy.types.PropertyGroup) -> LevelOptions:
     """settings: a LineSettings."""
-    window = None if settings.window_auto else (settings.window_low, settings.window_high)
-    return LevelOptions(
-        settings.levels_mode, settings.count, settings.step, settings.phase, settings.levels_list, window
-    )
+    window = None if settings.window_auto else (_written(settings.window_low), _written(settings.window_high))
+    step, phase = _written(settings.step), _written(settings.phase)
+    return LevelOptions(settings.levels_mode, settings.count, step, phase, settings.levels_list, window)
+
+
+def _written(number: float) -> float:
+    """A property's as people write it: 0.1 is kept in float32, and would come back as 0.10000000149."""
+    return float(str(np.float32(number)))
 
 
 def parse_levels(text: str) -> NDArray[np.float64]:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ... import library
-from ...language import say
+from ...language import counted, say
 from .. import results
 from ..look import ramp
 from ..mesh import attributes, evaluated, meshes
@@ -78,9 +78,9 @@ class IsolineResult:
         """One line for people."""
         lines = self.lines
         return say(
-            "{lines} isolines at {levels} levels, {closed} closed",
-            lines=len(lines),
-            levels=len(lines.levels),
+            "{lines} at {levels}, {closed} closed",
+            lines=counted(len(lines), "1 isoline", "{count} isolines"),
+            levels=counted(len(lines.levels), "1 level", "{count} levels"),
             closed=int(lines.closed.sum()),
         )
 

@@ -3,7 +3,8 @@
 
 A mesh object points at the one result bound to it, so both may be renamed: Make Isolines updates that one, by the mesh
 object's settings. A result whose parent was cleared, or that was duplicated, is bound no more: it is the user's, and
-its own settings, remembered when it was last made, are what it is refreshed by.
+its own settings, remembered when it was last made, are what it is refreshed by. One whose mesh object was deleted is
+disowned: it keeps them for another mesh object to come.
 """
 
 from __future__ import annotations
@@ -30,12 +31,18 @@ def find_unlocked(obj: bpy.types.Object) -> bpy.types.Object | None:
 
 
 def is_result(obj: bpy.types.Object) -> bool:
-    return obj.type in TYPES and obj.dirichlet_isolines.source is not None
+    return obj.type in TYPES and obj.dirichlet_isolines.is_property_set("source")  # it may be empty by now
 
 
-def settings_of(result: bpy.types.Object | None, source: bpy.types.Object) -> bpy.types.PropertyGroup:
+def find_source(result: bpy.types.Object) -> bpy.types.Object | None:
+    """The mesh object of a result, unless the user deleted it: Blender keeps it as long as something points at it."""
+    source = result.dirichlet_isolines.source
+    return source if source and source.users_collection else None
+
+
+def settings_of(result: bpy.types.Object | None, source: bpy.types.Object | None) -> bpy.types.PropertyGroup:
     """What the result is made by: the mesh object's settings while it is bound to it or new, else its own."""
-    return source.dirichlet if result in (None, find(source)) else result.dirichlet_isolines
+    return source.dirichlet if source and result in (None, find(source)) else result.dirichlet_isolines
 
 
 def drawn_by(settings: bpy.types.PropertyGroup) -> bpy.types.Object | None:
@@ -48,12 +55,12 @@ def drawn_by(settings: bpy.types.PropertyGroup) -> bpy.types.Object | None:
 
 def require_source(result: bpy.types.Object) -> bpy.types.Object:
     """The mesh object of a result that may be changed. Raises the library's InputError."""
-    note = result.dirichlet_isolines
-    if note.source is None:
+    source = find_source(result)
+    if source is None:
         raise library.load().InputError(say("object '{name}' has no mesh object that it was made of", name=result.name))
-    if note.locked:
+    if result.dirichlet_isolines.locked:
         raise library.load().InputError(say("object '{name}' is locked: switch off Lock first", name=result.name))
-    return note.source
+    return source
 
 
 def followers(source: bpy.types.Object) -> list[bpy.types.Object]:

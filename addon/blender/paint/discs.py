@@ -52,11 +52,6 @@ class Disc:
         return lines if self._shown is None else library.load().move_lines(lines, self._shown), _WHITE
 
 
-def default_radius(obj: bpy.types.Object) -> float:
-    """The one used last on the object, in object space."""
-    return obj.dirichlet.disc_radius * meshes.diagonal(obj.data)
-
-
 def add_disc(obj: bpy.types.Object, location: Sequence[float], radius: float, face: int | None = None) -> int:
     """Adds a patch of a disc in object space, remembers the radius and returns the number of vertices.
 
@@ -73,5 +68,5 @@ def add_disc(obj: bpy.types.Object, location: Sequence[float], radius: float, fa
             )
         )
     patches.add_group(obj, "Disc", disc.vertices)
-    obj.dirichlet.disc_radius = radius / (meshes.diagonal(obj.data) or 1.0)
+    obj.dirichlet.disc_radius = radius
     return len(disc.vertices)

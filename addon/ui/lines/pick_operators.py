@@ -16,8 +16,8 @@ class DIRICHLET_OT_pick_level(bpy.types.Operator):
     bl_idname = "dirichlet.pick_level"
     bl_label = "Pick Level"
     bl_description = (
-        "Click on the surface for the isoline through that point: its value joins the listed levels. From another mode "
-        "it starts the list anew"
+        "Click on the surface for the isoline through that point: its value joins the levels. Those of another mode "
+        "become a list"
     )
     bl_options = {"REGISTER", "UNDO"}
 
@@ -34,12 +34,20 @@ class DIRICHLET_OT_pick_level(bpy.types.Operator):
     def execute(self, context):
         from ...blender.lines import level_picking
 
+        settings = context.active_object.dirichlet
+        mode = bpy.types.UILayout.enum_item_name(settings, "levels_mode", settings.levels_mode)
+        listed = settings.levels_mode == "LIST"
         try:
             level = level_picking.add_level(context.active_object, self.location)
         except library.refusals() as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self.report({"INFO"}, say("Level {level:.7g}", level=level))
+        if listed:
+            self.report({"INFO"}, say("Level {level:.7g} added to the list", level=level))
+        else:
+            self.report(
+                {"INFO"}, say("Level {level:.7g} added; those of {mode} are listed now", level=level, mode=mode)
+            )
         return {"FINISHED"}
 
     def invoke(self, context, event):

@@ -19,7 +19,7 @@ class DIRICHLET_OT_result_refresh(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if not _poll_result(cls, context):
+        if not _poll_source(cls, context):
             return False
         if context.object.dirichlet_isolines.locked:
             cls.poll_message_set(say("These isolines are locked: switch off Lock first"))
@@ -49,7 +49,9 @@ class DIRICHLET_OT_result_remove(bpy.types.Operator):
 
     def execute(self, context):
         result = context.object
-        _activate(context, result.dirichlet_isolines.source)
+        source = result_objects.find_source(result)
+        if source:
+            _activate(context, source)
         result_objects.remove(result)
         return {"FINISHED"}
 
@@ -62,7 +64,7 @@ class DIRICHLET_OT_result_select_source(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if not _poll_result(cls, context):
+        if not _poll_source(cls, context):
             return False
         if context.object.dirichlet_isolines.source.name not in context.view_layer.objects:
             cls.poll_message_set(say("The mesh object is not in this view layer"))
@@ -84,6 +86,15 @@ def _poll_result(cls: type[bpy.types.Operator], context: bpy.types.Context) -> b
     else:
         return True
     return False
+
+
+def _poll_source(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
+    if not _poll_result(cls, context):
+        return False
+    if result_objects.find_source(context.object) is None:
+        cls.poll_message_set(say("The mesh object of these isolines is gone: choose another as Source"))
+        return False
+    return True
 
 
 def _activate(context: bpy.types.Context, obj: bpy.types.Object) -> None:

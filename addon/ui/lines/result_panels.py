@@ -4,7 +4,8 @@
 import bpy
 
 from ...blender.lines import result_objects
-from ...language import label
+from ...language import label, say
+from ..common import write_sentence
 from .line_layout import draw_line_settings, draw_lock, properties
 
 
@@ -16,7 +17,7 @@ class _ResultPanel:
         return context.object is not None and result_objects.is_result(context.object)
 
     def draw(self, context):
-        _draw_result(self.layout, context.object)
+        _draw_result(self.layout, context)
 
 
 class DIRICHLET_PT_result_data(_ResultPanel, bpy.types.Panel):
@@ -31,9 +32,14 @@ class DIRICHLET_PT_result_sidebar(_ResultPanel, bpy.types.Panel):
     bl_category = "Isolines"
 
 
-def _draw_result(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
-    note = result.dirichlet_isolines
-    settings = result_objects.settings_of(result, note.source)
+def _draw_result(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    result = context.object
+    note, source = result.dirichlet_isolines, result_objects.find_source(result)
+    settings = result_objects.settings_of(result, source)
+    if source is None:
+        write_sentence(
+            layout, context, say("The mesh object of these isolines is gone: choose another as Source"), "INFO"
+        )
     row = layout.row(align=True)
     row.operator("dirichlet.result_refresh", icon="FILE_REFRESH")
     draw_lock(row, note)
@@ -48,7 +54,7 @@ def _draw_result(layout: bpy.types.UILayout, result: bpy.types.Object) -> None:
     box.enabled = not note.locked
     whose = label("Settings of its own")
     if settings != note:
-        whose = label("Settings of '{object}'", object=note.source.name)
+        whose = label("Settings of '{object}'", object=source.name)
     box.label(text=whose, translate=False, icon="LINKED" if settings != note else "UNLINKED")
     draw_line_settings(box, settings)
 

@@ -14,9 +14,9 @@ class _ShapePanel:
 
 class _ResultShapePanel(_ShapePanel):
     def draw(self, context):
-        note = context.object.dirichlet_isolines
-        self.layout.enabled = not note.locked
-        draw_line_shape(self.layout, result_objects.settings_of(context.object, note.source))
+        result = context.object
+        self.layout.enabled = not result.dirichlet_isolines.locked
+        draw_line_shape(self.layout, result_objects.settings_of(result, result_objects.find_source(result)))
 
 
 class DIRICHLET_PT_shape(_ShapePanel, bpy.types.Panel):

@@ -5,8 +5,8 @@ import bpy
 from bpy.props import FloatProperty, FloatVectorProperty, IntProperty
 
 from ... import library
-from ...language import label, say
-from ..common import poll_mesh
+from ...language import counted, label, say
+from ..common import length, poll_mesh
 from ..drawing.pointer import Pointer
 from . import outline
 
@@ -29,7 +29,8 @@ class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
     )
     radius: FloatProperty(
         name="Radius",
-        description="Radius along the surface, in object space; 0: the one used last on this object",
+        description="Radius along the surface, before the object is scaled; 0: the one used last on this object",
+        subtype="DISTANCE",
         min=0.0,
         precision=4,
     )
@@ -46,12 +47,14 @@ class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
 
         obj = context.active_object
         try:
-            self.radius = self.radius or discs.default_radius(obj)
+            self.radius = self.radius or obj.dirichlet.disc_radius
             count = discs.add_disc(obj, self.location, self.radius, self.face if self.face >= 0 else None)
         except library.refusals() as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self.report({"INFO"}, say("A patch of {count} vertices, radius {radius:.4g}", count=count, radius=self.radius))
+        vertices = counted(count, "1 vertex", "{count:,} vertices")
+        radius = length(context, self.radius)
+        self.report({"INFO"}, say("A patch of {vertices}, radius {radius}", vertices=vertices, radius=radius))
         return {"FINISHED"}
 
     def invoke(self, context, event):
@@ -68,7 +71,7 @@ class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
             return {"CANCELLED"}
         try:
             self._disc = discs.Disc(obj, self._hit.location, self._hit.face)
-            self._disc.resize(discs.default_radius(obj))
+            self._disc.resize(obj.dirichlet.disc_radius)
         except library.refusals() as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -113,9 +116,9 @@ class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
         self._outline.set(*self._disc.outline())
         self._pointer.area.header_text_set(
             label(
-                "Patch of {count} vertices, radius {radius:.4g}   Drag: radius   Release: add   Esc, right button: no",
-                count=len(self._disc.vertices),
-                radius=self._disc.radius,
+                "Patch of {vertices}, radius {radius}   Drag: radius   Release: add   Esc, right button: no",
+                vertices=counted(len(self._disc.vertices), "1 vertex", "{count:,} vertices"),
+                radius=length(bpy.context, self._disc.radius),
             )
         )
         self._pointer.area.tag_redraw()

@@ -6,7 +6,7 @@ from bpy.props import BoolProperty, StringProperty
 
 from ... import library
 from ...blender.names import COLOR
-from ...language import say
+from ...language import counted
 from ..common import poll_mesh
 
 
@@ -29,7 +29,7 @@ class _SourceOperator:
             return {"CANCELLED"}
         for vertices in sets:
             patches.add_group(obj, name, vertices)
-        self.report({"INFO"}, say("{count} patches added", count=len(sets)) if len(sets) > 1 else say("1 patch added"))
+        self.report({"INFO"}, counted(len(sets), "1 patch added", "{count} patches added"))
         return {"FINISHED"}
 
 

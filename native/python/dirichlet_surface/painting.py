@@ -135,8 +135,11 @@ def _refuse_two_values(
 
 
 def _with_value(entries: _Entries, names: Sequence[str], place: int) -> str:
-    value = repr(float(entries.values[place])).removesuffix(".0")  # tells neighbouring floats apart
-    return f"'{names[entries.owners[place]]}' with value {value}"
+    value = entries.values[place]
+    with np.errstate(over="ignore"):
+        short = np.float32(value)  # as Blender keeps a number: 0.1, not 0.10000000149011612
+    text = str(short if short == value else value).removesuffix(".0")  # tells neighbouring floats apart
+    return f"'{names[entries.owners[place]]}' with value {text}"
 
 
 def _and_more(count: int) -> str:
