@@ -107,7 +107,7 @@ def read(
         positions,
         ramp.read_table(obj),
         clock,
-        (_beside_surface(obj),) if _is_deformed(obj) and positions is None else (),
+        (_beside_surface(obj, depsgraph),) if _is_deformed(obj) and positions is None else (),
     )
     clock.lap("read")
     return task
@@ -134,7 +134,13 @@ def _is_deformed(obj: bpy.types.Object) -> bool:
     return bool(obj.modifiers or obj.data.shape_keys)
 
 
-def _beside_surface(obj: bpy.types.Object) -> str:
+def _beside_surface(obj: bpy.types.Object, depsgraph) -> str:
+    if not evaluated.is_evaluated(obj, depsgraph):
+        return say(
+            "object '{object}' is disabled in viewports or not in this view layer: the lines lie on the mesh without "
+            "its modifiers",
+            object=obj.name,
+        )
     return say(
         "modifiers of object '{object}' change its faces: the lines lie on the mesh without them, so apply them, such "
         "as Subdivision Surface, before painting",

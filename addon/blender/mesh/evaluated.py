@@ -19,10 +19,12 @@ from . import meshes
 def read_positions(
     obj: bpy.types.Object, arrays: meshes.Arrays, depsgraph: bpy.types.Depsgraph | None = None
 ) -> NDArray[np.float64] | None:
-    """(V, 3) in object space; nothing where modifiers change the faces.
+    """(V, 3) in object space; nothing where modifiers change the faces, or Blender does not evaluate them.
 
     arrays: of the object's own mesh; depsgraph: that of a handler, else the context's.
     """
+    if not is_evaluated(obj, depsgraph):
+        return None
     found = meshes.read_arrays(_evaluate(obj, depsgraph).data)
     return found.positions.astype(np.float64) if found.same_faces(arrays) else None
 
@@ -30,7 +32,15 @@ def read_positions(
 def require_positions(
     obj: bpy.types.Object, arrays: meshes.Arrays, depsgraph: bpy.types.Depsgraph | None = None
 ) -> NDArray[np.float64]:
-    """As `read_positions`, but raises InputError where modifiers change the faces."""
+    """As `read_positions`, but raises InputError in place of nothing."""
+    if not is_evaluated(obj, depsgraph):
+        raise library.load().InputError(
+            say(
+                "object '{object}' is disabled in viewports or not in this view layer, so its modifiers do nothing: "
+                "enable it there, or switch off Use Modifiers",
+                object=obj.name,
+            )
+        )
     positions = read_positions(obj, arrays, depsgraph)
     if positions is None:
         changed = _evaluate(obj, depsgraph).data
@@ -47,6 +57,11 @@ def require_positions(
             )
         )
     return positions
+
+
+def is_evaluated(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = None) -> bool:
+    """Whether the object is anywhere where Blender gives it a shape; hidden by the eye, it still has one."""
+    return bool(_evaluate(obj, depsgraph).is_evaluated)
 
 
 @contextmanager

@@ -2,7 +2,9 @@
 """Vertex groups as arrays.
 
 Blender has no bulk access to vertex weights. Geometry nodes do: evaluated on a temporary object of the same mesh, they
-copy every group into an ordinary attribute. Nothing of it is left behind. A vertex outside a group reads as weight 0.
+copy every group into an ordinary attribute. They take time by the group, and know a group by its name alone, which a UV
+map or a color attribute may share: a walk over the vertices does neither. Nothing temporary is left behind. A vertex
+outside a group reads as weight 0.
 """
 
 from __future__ import annotations
@@ -14,11 +16,16 @@ import bpy
 import numpy as np
 from numpy.typing import NDArray
 
-_BATCH = 32  # groups evaluated at once: bounds the memory for meshes with thousands of groups
+_BATCH = 32  # groups evaluated at once: bounds the memory
+_MANY = 256  # groups from which on the walk is quicker
+_TEMPORARY = "Dirichlet weights"  # name of what does not stay
 
 
 def read_weights(mesh: bpy.types.Mesh, names: Sequence[str]) -> Iterator[NDArray[np.float32]]:
     """(V,) weights in [0, 1] of every group named, in that order; all of them exist."""
+    if len(names) >= _MANY or any(name in mesh.attributes or name in mesh.uv_layers for name in names):
+        yield from _walk(mesh, names)
+        return
     for start in range(0, len(names), _BATCH):
         batch = names[start : start + _BATCH]
         with _evaluated(mesh, batch) as attributes:
@@ -47,29 +54,51 @@ def copy_group(obj: bpy.types.Object, name: str) -> str:
     return copy.name
 
 
+def _walk(mesh: bpy.types.Mesh, names: Sequence[str]) -> Iterator[NDArray[np.float32]]:
+    """As `read_weights`, in one pass over the vertices in Python: some 1 µs for each, and for each of its groups."""
+    with _stand_in(mesh) as obj:
+        indices = {group.name: group.index for group in obj.vertex_groups}
+    kinds = [("vertex", np.int32), ("group", np.int32), ("weight", np.float32)]
+    entries = ((vertex, held.group, held.weight) for vertex, item in enumerate(mesh.vertices) for held in item.groups)
+    assigned = np.fromiter(entries, kinds)
+    assigned = assigned[np.argsort(assigned["group"], kind="stable")]
+    for index in map(indices.__getitem__, names):
+        start, end = np.searchsorted(assigned["group"], (index, index + 1))
+        weights = np.zeros(len(mesh.vertices), np.float32)
+        weights[assigned["vertex"][start:end]] = assigned["weight"][start:end]
+        yield weights
+
+
 @contextmanager
-def _evaluated(mesh: bpy.types.Mesh, names: Sequence[str]) -> Iterator[bpy.types.bpy_prop_collection]:
-    """The attributes of the mesh with the groups stored among them."""
-    tree = _tree(names)
-    scene = bpy.data.scenes.new(tree.name)
-    obj = bpy.data.objects.new(tree.name, mesh)
-    empty = bpy.data.meshes.new(tree.name)
+def _stand_in(mesh: bpy.types.Mesh) -> Iterator[bpy.types.Object]:
+    """A temporary object of the mesh: it has the groups' names."""
+    obj, empty = bpy.data.objects.new(_TEMPORARY, mesh), bpy.data.meshes.new(_TEMPORARY)
     try:
-        scene.collection.objects.link(obj)
-        obj.modifiers.new(tree.name, "NODES").node_group = tree
-        scene.view_layers[0].update()
-        yield obj.evaluated_get(scene.view_layers[0].depsgraph).data.attributes
+        yield obj
     finally:
         obj.data = empty  # Blender evaluates the mesh of a removed object again, wherever else it is used
         bpy.data.objects.remove(obj)
         bpy.data.meshes.remove(empty)
+
+
+@contextmanager
+def _evaluated(mesh: bpy.types.Mesh, names: Sequence[str]) -> Iterator[bpy.types.bpy_prop_collection]:
+    """The attributes of the mesh with the groups stored among them."""
+    tree, scene = _tree(names), bpy.data.scenes.new(_TEMPORARY)
+    try:
+        with _stand_in(mesh) as obj:
+            scene.collection.objects.link(obj)
+            obj.modifiers.new(tree.name, "NODES").node_group = tree
+            scene.view_layers[0].update()
+            yield obj.evaluated_get(scene.view_layers[0].depsgraph).data.attributes
+    finally:
         bpy.data.scenes.remove(scene)
         bpy.data.node_groups.remove(tree)
 
 
 def _tree(names: Sequence[str]) -> bpy.types.NodeTree:
     """Geometry in, a Store Named Attribute per group, geometry out."""
-    tree = bpy.data.node_groups.new("Dirichlet weights", "GeometryNodeTree")
+    tree = bpy.data.node_groups.new(_TEMPORARY, "GeometryNodeTree")
     _add_geometry_sockets(tree)
     last = tree.nodes.new("NodeGroupInput").outputs[0]
     for k, name in enumerate(names):

@@ -91,15 +91,43 @@ def read_polygons(mesh: bpy.types.Mesh) -> tuple[NDArray[np.int32], NDArray[np.i
     sizes = np.empty(len(mesh.polygons), np.uint32)
     mesh.polygons.foreach_get("loop_total", sizes)
     if not np.array_equal(np.diff(offsets), sizes):  # before Blender 3.6 faces may own any stretch of the loops
-        starts, offsets = offsets[:-1], np.concatenate(([0], np.cumsum(sizes, dtype=np.int64)))
+        starts, offsets = offsets[:-1].astype(np.int64), np.concatenate(([0], np.cumsum(sizes, dtype=np.int64)))
+        _require_stretches(mesh, starts, starts + sizes)
         corners = corners[np.repeat(starts - offsets[:-1], sizes) + np.arange(offsets[-1])]
     return offsets.astype(np.int32, copy=False), corners.view(np.int32)
 
 
+def _require_stretches(mesh: bpy.types.Mesh, starts: NDArray[np.int64], ends: NDArray[np.int64]) -> None:
+    beyond = np.flatnonzero(ends > len(mesh.loops))
+    if beyond.size:
+        raise library.load().InputError(
+            say(
+                "face {face} of mesh '{mesh}' begins at corner {first} and ends before {end}, but the mesh has {count} "
+                "corners",
+                face=beyond[0],
+                mesh=mesh.name,
+                first=starts[beyond[0]],
+                end=ends[beyond[0]],
+                count=len(mesh.loops),
+            )
+        )
+
+
 def read_edges(mesh: bpy.types.Mesh) -> NDArray[np.int32]:
-    """(E, 2)"""
+    """(E, 2). Raises InputError for an edge that ends at no vertex."""
     edges = np.empty(2 * len(mesh.edges), np.uint32)
     mesh.edges.foreach_get("vertices", edges)
+    beyond = np.flatnonzero(edges >= len(mesh.vertices))
+    if beyond.size:
+        raise library.load().InputError(
+            say(
+                "edge {edge} of mesh '{mesh}' ends at vertex {vertex}, but the vertices are 0 to {last}",
+                edge=beyond[0] // 2,
+                mesh=mesh.name,
+                vertex=edges.view(np.int32)[beyond[0]],
+                last=len(mesh.vertices) - 1,
+            )
+        )
     return edges.view(np.int32).reshape(-1, 2)
 
 
@@ -116,4 +144,7 @@ def diagonal(mesh: bpy.types.Mesh) -> float:
 
 
 def _diagonal(positions: NDArray[np.float32]) -> float:
-    return hypot(*np.ptp(positions, axis=0).tolist()) if len(positions) else 0.0
+    if not len(positions):
+        return 0.0
+    low, high = positions.min(axis=0), positions.max(axis=0)
+    return hypot(*(high.astype(np.float64) - low).tolist())  # in float32 the size of a huge mesh is infinite

@@ -32,7 +32,8 @@ def read_patches(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = 
     """
     surface, settings = library.load(), obj.dirichlet
     patches = [patch for patch in settings.patches if patch.enabled]
-    missing = [patch.group for patch in patches if patch.group not in obj.vertex_groups]
+    names = set(obj.vertex_groups.keys())
+    missing = [patch.group for patch in patches if patch.group not in names]
     if missing:
         rest = " " + say("(and {count} more)", count=len(missing) - 1) if len(missing) > 1 else ""
         raise surface.InputError(
