@@ -74,15 +74,17 @@ def assert_ends_are_where_a_line_may_end(mesh: Mesh, values: np.ndarray, lines: 
     odd = np.setdiff1d(edge_keys(mesh.vertex_count, *ring(mesh.triangles)), np.intersect1d(*edges_of_two))
     ends = np.concatenate((lines.offsets[:-1][~lines.closed], lines.offsets[1:][~lines.closed] - 1))
     on_odd_edge = np.isin(edge_keys(mesh.vertex_count, *lines.edges[ends].T), odd)
-    first, second = mesh.positions[odd // mesh.vertex_count], mesh.positions[odd % mesh.vertex_count]
+    size = np.abs(mesh.positions).max() or 1.0  # whose squares may be beyond the doubles
+    first, second = mesh.positions[odd // mesh.vertex_count] / size, mesh.positions[odd % mesh.vertex_count] / size
     for point in lines.points[ends[~on_odd_edge]]:  # of points that coincide, one on another edge may have been kept
-        distance = distance_to_segments(point, first, second)
-        assert distance.min() <= 1e-14 * np.abs(mesh.positions).max(), f"a line ends in the open at {point}"
+        distance = distance_to_segments(point / size, first, second)
+        assert distance.min(initial=np.inf) <= 1e-14, f"a line ends in the open at {point}"
 
 
 def distance_to_segments(point: np.ndarray, first: np.ndarray, second: np.ndarray) -> np.ndarray:
     along = second - first
-    place = np.clip(((point - first) * along).sum(axis=1) / (along**2).sum(axis=1), 0, 1)
+    squared = (along**2).sum(axis=1)
+    place = np.clip(((point - first) * along).sum(axis=1) / np.where(squared > 0, squared, 1), 0, 1)
     return np.linalg.norm(first + place[:, None] * along - point, axis=1)
 
 

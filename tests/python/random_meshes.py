@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import damage
 import numpy as np
+from hypothesis import note
 from hypothesis import strategies as st
-from mesh_makers import Soup
+from mesh_makers import ZOO, Soup
 
 CELLS = ("quad", "two triangles", "other diagonal", "hole", "flipped", "with the next", "twice")
 
@@ -56,13 +58,25 @@ def tetrahedron_trees(draw) -> Soup:
     return Soup(positions, outer + inner if keep else outer)
 
 
+@st.composite
+def damaged_meshes(draw) -> Soup:
+    """Up to six damages on a mesh, of the zoo or a random one."""
+    soup = draw(st.one_of(st.sampled_from(list(ZOO.values())), polygon_grids(), tetrahedron_trees()))
+    random = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
+    kinds = draw(st.lists(st.sampled_from(sorted(damage.KINDS)), min_size=1, max_size=6))
+    note(" + ".join(kinds))
+    for name in kinds:
+        soup = damage.KINDS[name](soup, random)
+    return soup
+
+
 meshes = st.one_of(polygon_grids(), tetrahedron_trees())
 values = st.one_of(st.floats(-10, 10), st.sampled_from([0.0, 1.0, -1.0, 1e300, -1e300, 5e-324, np.nextafter(1.0, 2.0)]))
 
 
 @st.composite
-def problems(draw) -> tuple[Soup, np.ndarray, np.ndarray]:
+def problems(draw, soups=meshes) -> tuple[Soup, np.ndarray, np.ndarray]:
     """A mesh, distinct painted vertices and their values."""
-    soup = draw(meshes)
+    soup = draw(soups)
     vertices = draw(st.lists(st.integers(0, soup.size - 1), min_size=1, max_size=min(10, soup.size), unique=True))
     return soup, np.array(vertices), np.array(draw(st.lists(values, min_size=len(vertices), max_size=len(vertices))))
