@@ -84,8 +84,12 @@ double triangle_area(const Sides& sides) {
 Sides half_cotangents(const Sides& sides) {
   const auto [a, b, c] = ordinary(sides);
   const double eight_areas = 2 * four_areas({a, b, c});
-  const double aa = a * a, bb = b * b, cc = c * c;
-  return {(bb + cc - aa) / eight_areas, (cc + aa - bb) / eight_areas, (aa + bb - cc) / eight_areas};
+  // y² + z² − x², above 0 whatever is rounded unless x is the longest.
+  const auto numerator = [](double x, double y, double z) {
+    const double short_one = std::min(y, z), long_one = std::max(y, z);
+    return short_one * short_one + (long_one - x) * (long_one + x);
+  };
+  return {numerator(a, b, c) / eight_areas, numerator(b, c, a) / eight_areas, numerator(c, a, b) / eight_areas};
 }
 
 double mollification(const Sides& sides) {

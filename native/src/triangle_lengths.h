@@ -16,7 +16,8 @@ using Sides = std::array<double, 3>;
 /// lengths are, however thin. 0 where they make no triangle.
 double triangle_area(const Sides& sides);
 
-/// ½ cot of the angle opposite to each side, of any scale. Infinite or NaN where the area is 0: see mollification.
+/// ½ cot of the angle opposite to each side, of any scale; above 0 for all but the longest. Infinite or NaN where the
+/// area is 0: see mollification.
 Sides half_cotangents(const Sides& sides);
 
 /// The smallest length that, added to all three, makes a triangle of them in which the longest side falls short of the

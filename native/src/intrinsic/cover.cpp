@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "intrinsic/cover.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <tuple>
+
+#include "index.h"
+#include "parallel.h"
+#include "triangle_lengths.h"
+#include "vector3.h"
+
+namespace dirichlet {
+namespace {
+
+using HalfEdge = IntrinsicTriangulation::HalfEdge;
+constexpr Index kBorder = IntrinsicTriangulation::kBorder;
+constexpr std::size_t kGrain = 1 << 13;
+
+bool is_one_sheet(const Mesh& mesh) {
+  const std::span<const Index> corners = mesh.corners();
+  const Buffer<Index>& opposite = mesh.connectivity().opposite;
+  std::atomic<bool> one = true;
+  parallel_chunks(corners.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+      if (opposite[c] == Connectivity::kNonManifold || (opposite[c] >= 0 && corners[c] == corners[at(opposite[c])])) {
+        one = false;
+        return;
+      }
+  });
+  return one;
+}
+
+/// Every face with its lengths and angles, its sides not yet glued.
+Buffer<HalfEdge> make_front(const Mesh& mesh) {
+  const SideLengths lengths = measure_sides(mesh);
+  const std::span<const Index> corners = mesh.corners();
+  Buffer<HalfEdge> front(corners.size());
+  parallel_chunks(at(mesh.face_count()), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t face = begin; face < end; ++face) {
+      const Sides sides = lengths.of(static_cast<Index>(face)), half_cotangent = half_cotangents(sides);
+      for (std::size_t k = 0; k < 3; ++k)
+        front[3 * face + k] = {kBorder, corners[3 * face + k], sides[k], half_cotangent[k]};
+    }
+  });
+  return front;
+}
+
+/// The faces of edges that have three or more, in the order in which they lie around them.
+class Fans {
+ public:
+  explicit Fans(const Mesh& mesh) : mesh_(mesh), corners_(mesh.corners()) {
+    const Buffer<Index>& opposite = mesh.connectivity().opposite;
+    for (Index c = 0; c < static_cast<Index>(corners_.size()); ++c)
+      if (opposite[at(c)] == Connectivity::kNonManifold) pages_.push_back(page(c));
+    std::sort(pages_.begin(), pages_.end(), [](const Page& a, const Page& b) {
+      return std::tie(a.low, a.high, a.tip, a.corner) < std::tie(b.low, b.high, b.tip, b.corner);
+    });
+  }
+
+  /// Faces of which another one has the same vertices, every time but once.
+  [[nodiscard]] std::vector<Index> repeated_faces() const {
+    std::vector<Index> faces;
+    for (std::size_t i = 1; i < pages_.size(); ++i)
+      if (std::tie(pages_[i - 1].low, pages_[i - 1].high, pages_[i - 1].tip) ==
+          std::tie(pages_[i].low, pages_[i].high, pages_[i].tip))
+        faces.push_back(pages_[i].corner / 3);
+    return faces;
+  }
+
+  /// Calls visit(corner, following) for every corner and the one whose face comes next when one turns around the edge
+  /// from its lower to its higher vertex; itself where it is alone. `leave_out(face)` says what is not there.
+  template <class LeaveOut, class Visit>
+  void for_neighbours(const LeaveOut& leave_out, const Visit& visit) {
+    std::erase_if(pages_, [&](const Page& page) { return leave_out(page.corner / 3); });
+    std::sort(pages_.begin(), pages_.end(), [](const Page& a, const Page& b) {
+      return std::tie(a.low, a.high, a.angle, a.tip) < std::tie(b.low, b.high, b.angle, b.tip);
+    });
+    for (std::size_t first = 0, last = 0; first < pages_.size(); first = last) {
+      const auto same_edge = [&](const Page& page) {
+        return page.low == pages_[first].low && page.high == pages_[first].high;
+      };
+      while (last < pages_.size() && same_edge(pages_[last])) ++last;
+      for (std::size_t i = first; i < last; ++i) visit(pages_[i].corner, pages_[i + 1 < last ? i + 1 : first].corner);
+    }
+  }
+
+ private:
+  struct Page {
+    Index low, high, tip; ///< vertices: the edge's, and the face's third
+    Index corner;         ///< the half-edge
+    double angle;         ///< around the edge, from somewhere
+  };
+
+  [[nodiscard]] Page page(Index corner) const {
+    const Index next = next_in_triangle(corner), a = corners_[at(corner)], b = corners_[at(next)];
+    const Index low = std::min(a, b), high = std::max(a, b), tip = corners_[at(next_in_triangle(next))];
+    return {low, high, tip, corner, angle(low, high, tip)};
+  }
+
+  /// Of the tip around the axis, seen so that it points at the eye, from a direction that the axis alone decides.
+  [[nodiscard]] double angle(Index low, Index high, Index tip) const {
+    const Vector3 axis = unit_difference(low, high), arm = unit_difference(low, tip);
+    const double x = std::abs(axis.x), y = std::abs(axis.y), z = std::abs(axis.z);
+    const Vector3 aside = x <= y && x <= z ? Vector3{1, 0, 0} : y <= z ? Vector3{0, 1, 0} : Vector3{0, 0, 1};
+    const Vector3 up = cross(axis, aside);
+    return std::atan2(dot(cross(arm, axis), up), dot(arm, up) * std::sqrt(dot(axis, axis)));
+  }
+
+  /// From one vertex to another, brought to a length of about 1.
+  [[nodiscard]] Vector3 unit_difference(Index from, Index to) const {
+    const double *const p = mesh_.positions().data() + 3 * at(from), *const q = mesh_.positions().data() + 3 * at(to);
+    const Vector3 d{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    return unit_scale(std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)})) * d;
+  }
+
+  const Mesh& mesh_;
+  std::span<const Index> corners_;
+  std::vector<Page> pages_;
+};
+
+/// Front and back of every face.
+class TwoSheets {
+ public:
+  explicit TwoSheets(const Mesh& mesh) : corners_(mesh.corners()), half_edges_(make_front(mesh)) {
+    Fans fans(mesh);
+    remove(fans.repeated_faces());
+    add_back();
+    const Buffer<Index>& opposite = mesh.connectivity().opposite;
+    for (Index c = 0; c < static_cast<Index>(corners_.size()); ++c)
+      if (opposite[at(c)] > c && !is_removed(c / 3) && !is_removed(opposite[at(c)] / 3)) {
+        glue(c, opposite[at(c)]);
+        glue(opposite[at(c)], c);
+      }
+    fans.for_neighbours([&](Index face) { return is_removed(face); },
+                        [&](Index c, Index following) {
+                          if (c != following) glue(c, following);
+                        });
+  }
+
+  [[nodiscard]] Buffer<HalfEdge> half_edges() && { return std::move(half_edges_); }
+
+ private:
+  static constexpr double kRemoved = -1; ///< the length of sides that are not there
+
+  void remove(const std::vector<Index>& faces) {
+    for (const Index face : faces)
+      for (std::size_t k = 0; k < 3; ++k) {
+        HalfEdge& side = half_edges_[3 * at(face) + k];
+        side.length = kRemoved;
+        side.half_cotangent = 0;
+      }
+  }
+  [[nodiscard]] bool is_removed(Index face) const { return half_edges_[3 * at(face)].length == kRemoved; }
+
+  /// The back of side k of a face is side 2 - k of another, so that both turn the right way.
+  [[nodiscard]] Index back(Index c) const { return static_cast<Index>(corners_.size()) + c + 2 - 2 * (c % 3); }
+
+  void add_back() {
+    half_edges_.resize(2 * corners_.size());
+    for (Index c = 0; c < static_cast<Index>(corners_.size()); ++c) {
+      half_edges_[at(back(c))] = half_edges_[at(c)];
+      half_edges_[at(back(c))].tail = corners_[at(next_in_triangle(c))];
+    }
+  }
+
+  /// The half-edge of the two sides of a face that runs from the edge's lower vertex to its higher one, or back.
+  [[nodiscard]] Index running(Index c, bool up) const {
+    return (corners_[at(c)] < corners_[at(next_in_triangle(c))]) == up ? c : back(c);
+  }
+
+  /// The half-edge that runs up has its face on the left, and sees what comes when one turns around the edge.
+  void glue(Index c, Index following) {
+    const Index one = running(c, true), other = running(following, false);
+    half_edges_[at(one)].twin = other;
+    half_edges_[at(other)].twin = one;
+  }
+
+  std::span<const Index> corners_;
+  Buffer<HalfEdge> half_edges_;
+};
+
+} // namespace
+
+Cover cover(const Mesh& triangles) {
+  if (!is_one_sheet(triangles)) return {IntrinsicTriangulation(TwoSheets(triangles).half_edges()), 2};
+  Buffer<HalfEdge> half_edges = make_front(triangles);
+  const Buffer<Index>& opposite = triangles.connectivity().opposite;
+  parallel_chunks(half_edges.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) half_edges[c].twin = opposite[c] >= 0 ? opposite[c] : kBorder;
+  });
+  return {IntrinsicTriangulation(std::move(half_edges)), 1};
+}
+
+} // namespace dirichlet

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "intrinsic_delaunay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "edge_weights.h"
+#include "index.h"
+#include "intrinsic/cover.h"
+#include "parallel_collect.h"
+
+namespace dirichlet {
+namespace {
+
+constexpr std::size_t kGrain = 1 << 13;
+
+struct WeightedEdges {
+  Buffer<Index> edges;
+  Buffer<double> weights;
+};
+
+/// Of each edge one half-edge.
+template <class T, class Visit>
+Buffer<T> for_edges(const Buffer<IntrinsicTriangulation::HalfEdge>& half_edges, const Visit& visit) {
+  return parallel_collect<T>(half_edges.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
+    found.reserve(end - begin);
+    for (auto h = static_cast<Index>(begin); h < static_cast<Index>(end); ++h)
+      if (const Index t = half_edges[at(h)].twin; t == IntrinsicTriangulation::kBorder || h < t) visit(h, t, found);
+  });
+}
+
+/// What rounding cannot tell from 0 or below, and a border's negative weight, becomes so little that no field shows it.
+/// Not 0: every triangle joins its vertices, since at most one of its angles is obtuse.
+double weight(double one, double other) {
+  return std::max(one + other, std::numeric_limits<double>::epsilon() * (std::abs(one) + std::abs(other)));
+}
+
+WeightedEdges weighted_edges(const Mesh& mesh) {
+  Cover sheets = cover(mesh);
+  sheets.triangles.make_delaunay();
+  const Buffer<IntrinsicTriangulation::HalfEdge>& half_edges = sheets.triangles.half_edges();
+  WeightedEdges all;
+  all.edges = for_edges<Index>(half_edges, [&](Index h, Index, auto& found) {
+    found.push_back(half_edges[at(h)].tail);
+    found.push_back(half_edges[at(next_in_triangle(h))].tail);
+  });
+  all.weights = for_edges<double>(half_edges, [&](Index h, Index t, auto& found) {
+    const double other = t == IntrinsicTriangulation::kBorder ? 0.0 : half_edges[at(t)].half_cotangent;
+    found.push_back(weight(half_edges[at(h)].half_cotangent, other) / sheets.sheets);
+  });
+  return all;
+}
+
+} // namespace
+
+SparseMatrix intrinsic_delaunay_stiffness(const Mesh& mesh) {
+  const WeightedEdges all = weighted_edges(mesh);
+  return stiffness_of_edges(mesh.vertex_count(), all.edges, all.weights);
+}
+
+} // namespace dirichlet
