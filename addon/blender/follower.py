@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 
 from .. import library
 from . import field_task, pipeline, threads
+from .held import Held
 from .lines import line_task, result_objects
-from .mesh import attributes, meshes
+from .mesh import attributes
 from .mesh.sessions import Session, open_session
 from .paint import patches
 
@@ -63,8 +64,8 @@ class _Work(NamedTuple):
 
 
 class Follower:
-    def __init__(self) -> None:
-        self.name = ""  # the object's when last seen
+    def __init__(self, obj: bpy.types.Object) -> None:
+        self.held = Held(obj)
         self.pending = Change(0)
         self.resting = True  # nobody paints, as far as known
         self.noted = 0.0  # when the last change came
@@ -74,6 +75,7 @@ class Follower:
         self._work: _Work | None = None  # what the job computes; nothing when it could not be read
         self._unwatched = False  # others may have changed the object since it was read
         self._begun = 0.0
+        self.postponed = Change(0)  # until Edit Mode is left
 
     def note(self, what: Change, *, resting: bool) -> None:
         self.pending |= what
@@ -100,6 +102,11 @@ class Follower:
     def has_something_to_do(self) -> bool:
         return not self.is_computing() and (self.job is not None or bool(self.due()))
 
+    def resume(self, obj: bpy.types.Object) -> None:
+        """What had to wait for the end of Edit Mode is due, if it has come."""
+        if self.postponed and obj.mode != "EDIT":
+            self.pending, self.postponed = self.pending | self.postponed, Change(0)
+
     def begin(self, obj: bpy.types.Object, *, thread: bool, depsgraph: bpy.types.Depsgraph | None = None) -> None:
         """Starts on what is due, unless something is being computed: in a thread, or here. depsgraph: a handler's."""
         what = self.due()
@@ -107,7 +114,9 @@ class Follower:
             return
         self.pending &= ~what
         if obj.mode == "EDIT":
-            return  # for what follows, leaving it is a change again
+            self.postponed = Change.COLORS & (self.postponed | what)  # for the rest, leaving it is a change again
+            return
+        self.held.keep(None)
         self._begun, self._work, self._unwatched = perf_counter(), None, thread
         try:
             self._work = self._read(obj, what, depsgraph)
@@ -123,7 +132,7 @@ class Follower:
             return
         job, work, self.job = self.job, self._work, None
         aim = Change.FIELD if work and work.field else Change.LINES
-        if self.pending & aim or aim not in still or not self._fits(obj, work):
+        if self.pending & aim or aim not in still or not self._fits(obj):
             return
         problem = ""
         try:
@@ -136,12 +145,9 @@ class Follower:
         if obj.dirichlet.results.problem != (problem or note):
             obj.dirichlet.results.problem = problem or note
 
-    def _fits(self, obj: bpy.types.Object, work: _Work | None) -> bool:
-        """Whether the object is what was read: meanwhile it may have been edited, or another be in its place."""
-        if obj.mode == "EDIT":
-            return False
-        session = work.session if work and self._unwatched else None
-        return session is None or session.arrays.same_faces(meshes.read_arrays(obj.data))
+    def _fits(self, obj: bpy.types.Object) -> bool:
+        """Whether the object is what was read, where it may have been edited meanwhile."""
+        return self.held.fits(obj) if self._unwatched else obj.mode != "EDIT"
 
     def _read(self, obj: bpy.types.Object, what: Change, depsgraph: bpy.types.Depsgraph | None) -> _Work:
         field = field_task.read(obj, depsgraph) if Change.FIELD in what else None
@@ -153,6 +159,7 @@ class Follower:
         if not what & (Change.FIELD | Change.LINES):
             return _Work(None, None, {}, None)
         session = field.session if field else open_session(obj)
+        self.held.keep(session.arrays)
         lines = _read_lines(obj, session, depsgraph)
         return _Work(session, field, lines, line_task.read_values(obj) if lines and not field else None)
 

@@ -37,7 +37,7 @@ def changed(obj: bpy.types.Object, what: Change, *, brush: bool = False) -> None
     what &= _followed(obj)
     if not what:
         return
-    _followers.setdefault(obj.as_pointer(), Follower()).note(what, resting=not (brush and _brush_may_move()))
+    _followers.setdefault(obj.as_pointer(), Follower(obj)).note(what, resting=not (brush and _brush_may_move()))
     if not bpy.app.background and not bpy.app.timers.is_registered(_tick):
         bpy.app.timers.register(_tick, first_interval=0, persistent=True)
 
@@ -45,10 +45,11 @@ def changed(obj: bpy.types.Object, what: Change, *, brush: bool = False) -> None
 def catch_up(depsgraph: bpy.types.Depsgraph) -> None:
     """Does what is due, or begins on it, in a handler after which Blender evaluates by itself."""
     global _operator
-    for address, follower in list(_followers.items()):
-        if follower.has_something_to_do():
-            obj = _find(address, follower)
-            if obj and _is_in(obj, depsgraph):
+    for follower in list(_followers.values()):
+        obj = follower.held.now() if follower.postponed or follower.has_something_to_do() else None
+        if obj and _is_in(obj, depsgraph):
+            follower.resume(obj)
+            if follower.has_something_to_do():
                 with _own_changes(evaluate=False):
                     _advance(follower, obj, thread=_needs_thread(obj, follower), depsgraph=depsgraph)
     _operator = _last_operator()
@@ -56,8 +57,8 @@ def catch_up(depsgraph: bpy.types.Depsgraph) -> None:
 
 def flush(depsgraph: bpy.types.Depsgraph | None = None) -> None:
     """Does all that is pending, now: for scripts, tests and frame changes, which bring their depsgraph."""
-    for address, follower in list(_followers.items()):
-        obj = _find(address, follower)
+    for follower in list(_followers.values()):
+        obj = follower.held.now()
         if obj and (depsgraph is None or _is_in(obj, depsgraph)):
             with _own_changes(evaluate=depsgraph is None):
                 follower.resting = True
@@ -124,7 +125,7 @@ def _tick() -> float | None:
     global _operator
     stroke_ended = _stroke_ended()
     for address, follower in list(_followers.items()):
-        obj = _find(address, follower)
+        obj = follower.held.now()
         if obj is None and not follower.is_computing():
             del _followers[address]
         elif obj:
@@ -185,17 +186,6 @@ def _needs_thread(obj: bpy.types.Object, follower: Follower) -> bool:
     """Without a window nobody waits for a redraw, and no timer runs."""
     field = Change.FIELD in follower.due() and len(obj.data.vertices) > _INLINE
     return not bpy.app.background and (field or follower.seconds.get("isolines", 0) > _SLOW_LINES)
-
-
-def _find(address: int, follower: Follower) -> bpy.types.Object | None:
-    """The object there now, whatever its name; the last name is tried first."""
-    obj = bpy.data.objects.get(follower.name)
-    if obj is None or obj.as_pointer() != address:
-        obj = next((obj for obj in bpy.data.objects if obj.as_pointer() == address), None)
-    if obj is None or obj.type != "MESH":  # deleted, and its address given to another
-        return None
-    follower.name = obj.name
-    return obj
 
 
 def _brush_may_move() -> bool:

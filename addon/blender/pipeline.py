@@ -71,7 +71,7 @@ def recolor(obj: bpy.types.Object) -> None:
 def apply_look(obj: bpy.types.Object) -> None:
     """Gives the ramp of the object's field material the look that the settings name, and the colours through it.
 
-    In Edit Mode the mesh cannot be written, so its colours wait for Update Colors.
+    In Edit Mode the mesh cannot be written: its colours follow when that is left.
     """
     if not material.find_ramp(obj):
         return

@@ -14,9 +14,10 @@ import bpy
 from .. import library
 from ..language import counted, say
 from . import field_task, pipeline
+from .held import Held
 from .lines import line_task, result_objects
 from .mesh import meshes, sessions
-from .work import Held, Step, Work
+from .work import Step, Work
 
 
 class Made(NamedTuple):

@@ -12,12 +12,7 @@ from collections.abc import Callable, Generator
 from concurrent.futures import Future
 from typing import Any, NamedTuple
 
-import bpy
-
-from .. import library
-from ..language import say
 from . import threads
-from .mesh import meshes
 
 Progress = Callable[[float], None]  # called with the part done, from 0 to 1
 
@@ -54,34 +49,6 @@ class Background:
 
     def _start(self, step: Step) -> None:
         self.step, self._job = step, threads.start(step.compute)
-
-
-class Held:
-    """A mesh object between steps, in which it may be renamed, edited, undone or removed."""
-
-    def __init__(self, obj: bpy.types.Object) -> None:
-        self.name = obj.name
-        self._address = obj.as_pointer()
-        self._arrays: meshes.Arrays | None = None
-
-    def find(self) -> bpy.types.Object:
-        """The object now. Raises InputError when it is gone, cannot be read now or is not what `keep` was told."""
-        objects = bpy.data.objects
-        obj = objects.get((self.name, None)) or next((o for o in objects if o.as_pointer() == self._address), None)
-        if obj is None:
-            raise library.load().InputError(
-                say("object '{name}' was removed while it was being worked on", name=self.name)
-            )
-        meshes.require_mesh(obj)
-        if self._arrays and not self._arrays.same(meshes.read_arrays(obj.data)):
-            raise library.load().InputError(
-                say("the mesh of object '{name}' changed while it was being worked on", name=self.name)
-            )
-        return obj
-
-    def keep(self, arrays: meshes.Arrays) -> None:
-        """These are the arrays that results will be for."""
-        self._arrays = arrays
 
 
 def run(work: Work, progress: Progress = lambda done: None) -> Any:

@@ -93,7 +93,7 @@ def test_another_object_in_the_place_of_a_deleted_one_is_not_written(live, grid_
     other = painted_grid(columns=9, name="Other")
     live._followers[other.as_pointer()] = live._followers.pop(address)
     bpy.data.objects.remove(grid_live)
-    follower.name = "Other"
+    follower.held.name, follower.held._address = "Other", other.as_pointer()
     run_timer(live)
     assert "dirichlet_field" not in other.data.attributes
 
