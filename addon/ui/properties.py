@@ -155,7 +155,8 @@ class DirichletSettings(LineSettings, PreviewSettings, bpy.types.PropertyGroup):
     )
     preview: BoolProperty(
         name="Preview",
-        description="Draw the isolines in the viewport at once, without making an object. They are not rendered",
+        description="Draw the isolines in the viewport at once, without making an object. They are not rendered. Where "
+        "a result shows the same lines as tubes, it is seen alone",
         update=callbacks.preview_changed,
     )
     isolines: PointerProperty(

@@ -4,8 +4,10 @@
 import importlib
 from types import SimpleNamespace
 
+import bpy
 import numpy as np
 import pytest
+from following import settle
 
 COLORS = np.array([(0, 0, 0, 1), (0.5, 0.5, 0.5, 1), (1, 0, 1, 0.25)], np.float32)
 
@@ -73,6 +75,22 @@ def test_no_lines_are_no_segments(segments):
     assert points.shape == (0, 3)
     assert colors.shape == (0, 4)
     assert pairs.shape == (0, 2)
+
+
+def test_lines_that_a_result_draws_as_tubes_are_known(addon, live, grid_live):
+    geometry = importlib.import_module(f"{addon.__name__}.blender.lines.preview_geometry")
+    settings = grid_live.dirichlet
+    settings.preview = True
+    bpy.ops.dirichlet.make_isolines()
+    settle(live)
+    result, shown = settings.isolines, live.preview_of(grid_live).lines
+    assert geometry.is_drawn_by(result, shown)
+    settings.bevel_depth = 0
+    assert not geometry.is_drawn_by(result, shown)
+    settings.bevel_depth = 0.01
+    result.dirichlet_isolines.locked, settings.count = True, 5
+    settle(live)
+    assert not geometry.is_drawn_by(result, live.preview_of(grid_live).lines)
 
 
 def test_nothing_draws_in_background(make_handler):

@@ -5,10 +5,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import bpy
 import numpy as np
 from numpy.typing import NDArray
 
 from ... import library
+from ..names import LENGTH
+from .outputs import curve
 from .outputs.drawing import draw
 
 
@@ -26,3 +29,9 @@ def segments(lines, colors: NDArray[np.float32]) -> Segments:
     shown = colors.copy()
     shown[:, :3] = library.load("ramps").srgb_bytes(colors[:, :3]) / np.float32(255)
     return Segments(drawing.points, drawing.per_point(shown), drawing.segments())
+
+
+def is_drawn_by(result: bpy.types.Object, lines) -> bool:
+    """Whether the result has tubes along just these lines: then lines drawn over them are seen twice."""
+    tubes = result.type == curve.TYPE and result.data.bevel_depth > 0
+    return tubes and np.array_equal(result.data.get(LENGTH, ()), lines.length)

@@ -11,6 +11,7 @@ import bpy
 import gpu
 from bpy.app.handlers import persistent
 
+from ...blender.lines import result_objects
 from . import line_drawing
 from .draw_handler import DrawHandler
 
@@ -49,7 +50,7 @@ def _draw() -> None:
 
     for obj in _shown(bpy.context):
         preview, key = live.preview_of(obj), obj.as_pointer()
-        if preview is None:
+        if preview is None or _is_drawn_already(obj, preview):
             continue
         try:
             if key not in _drawn or _drawn[key].version != preview.version:
@@ -74,6 +75,17 @@ def _shown(context: bpy.types.Context) -> Iterator[bpy.types.Object]:
         for obj in layer.objects:
             if obj.type == "MESH" and obj.dirichlet.preview and obj.visible_get(view_layer=layer, viewport=space):
                 yield obj
+
+
+def _is_drawn_already(obj: bpy.types.Object, preview) -> bool:
+    """Whether this viewport shows a result of the same lines; through surfaces only the preview is seen."""
+    from ...blender.lines import preview_geometry
+
+    result, context = result_objects.find(obj), bpy.context
+    if result is None or obj.dirichlet.preview_xray:
+        return False
+    visible = result.visible_get(view_layer=context.view_layer, viewport=context.space_data)
+    return visible and preview_geometry.is_drawn_by(result, preview.lines)
 
 
 def _draw_lines(obj: bpy.types.Object, batch: gpu.types.GPUBatch) -> None:

@@ -2,6 +2,7 @@
 """The previewed lines as pixels: where they show, where they are hidden, and what colour they have."""
 
 import math
+from collections.abc import Sequence
 
 import bpy
 import numpy as np
@@ -30,13 +31,18 @@ def look(distance: float, perspective: str) -> None:
     view.view_rotation = Euler((math.radians(60), 0, 0)).to_quaternion()
 
 
-def colored() -> np.ndarray:
-    """(N, 3) the pixels of the viewport that are neither black, white nor grey, in the picture taken last."""
+def viewport_pixels() -> np.ndarray:
+    """(H, W, 3) from bottom to top, without the viewport's bars, in the picture taken last."""
     image = bpy.data.images.load(str(steps.pictures / "looked.png"), check_existing=False)
     pixels = np.array(image.pixels[:], np.float32).reshape(*reversed(image.size), 4)
     bpy.data.images.remove(image)
     view = screen.region("WINDOW")
-    seen = pixels[view.y : view.y + view.height - 60, view.x : view.x + view.width, :3].reshape(-1, 3)
+    return pixels[view.y : view.y + view.height - 60, view.x : view.x + view.width, :3]
+
+
+def colored() -> np.ndarray:
+    """(N, 3) the pixels that are neither black, white nor grey."""
+    seen = viewport_pixels().reshape(-1, 3)
     return seen[np.ptp(seen, axis=1) > 0.3]
 
 
@@ -98,9 +104,7 @@ def lines_have_the_color_of_their_level() -> Waiting:
     settings.levels_mode, settings.levels_list, settings.preview_width = "LIST", "0.25", 16
     yield from count()
     ramp = ball().active_material.node_tree.nodes["Dirichlet Ramp"].color_ramp
-    linear = np.array(ramp.evaluate(0.25)[:3])
-    shown = np.where(linear < 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-    assert np.abs(np.median(colored(), axis=0) - shown).max() < 0.02
+    assert np.abs(np.median(colored(), axis=0) - on_screen(ramp.evaluate(0.25))).max() < 0.02
 
 
 def lines_go_with_the_object_and_the_overlays() -> Waiting:
@@ -127,6 +131,67 @@ def lines_show_in_every_mode() -> Waiting:
         assert _seen[-1] > 0.5 * shown, mode
 
 
+def lines_that_a_result_shows_are_drawn_once() -> Waiting:
+    """The tubes have no colours in this shading; the preview's lines have, and are seen where the tubes are not."""
+    shown = _seen[-1]
+    with screen.at():
+        bpy.ops.dirichlet.make_isolines()
+    yield from count()
+    assert _seen[-1] == 0
+    ball().dirichlet.preview_xray = True
+    yield from count()
+    assert _seen[-1] > shown
+    ball().dirichlet.preview_xray = False
+    ball().dirichlet.isolines.hide_set(True)
+    yield from count()
+    assert _seen[-1] > 0.5 * shown
+    bpy.data.objects.remove(ball().dirichlet.isolines)
+
+
+def the_legend_has_ramp_window_and_levels() -> Waiting:
+    """Read from the picture: a bar of saturated colours, dark where the window ends and at the levels."""
+    settings = ball().dirichlet
+    settings.preview, settings.legend, settings.levels_mode, settings.count = False, True, "EVEN", 4
+    yield from count()
+    bar = legend_bar()
+    height = len(bar)
+    assert abs(height - 280 * bpy.context.preferences.system.ui_scale) < 4
+    ramp = ball().active_material.node_tree.nodes["Dirichlet Ramp"].color_ramp
+    for place in (0.02, 0.25, 0.6, 0.75, 0.98):  # between the levels, and not at the kink in the middle
+        assert off(bar, place, on_screen(ramp.evaluate(place))) < 0.03, place
+    for level in (0.125, 0.375, 0.625, 0.875):
+        assert off(bar, level, (0, 0, 0)) < 0.1, level
+    settings.window_low = 0.5
+    yield from count()
+    shaded = legend_bar(height)
+    for place, light in ((0.25, 0.4), (0.98, 1)):  # six tenths of black lie over what is outside of the window
+        assert off(shaded, place, on_screen(light * np.array(ramp.evaluate(place)))) < 0.03, place
+    settings.legend = False
+    yield from count()
+    assert _seen[-1] == 0
+
+
+def legend_bar(height: int = 0) -> np.ndarray:
+    """(H, 3) the colours up the middle of the legend's bar, in the picture taken last; its height where that is known,
+    since what is shaded has less colour."""
+    seen = viewport_pixels()
+    rows, columns = np.nonzero(np.ptp(seen, axis=2) > 0.3)
+    top = rows.max() + 1
+    return seen[top - height if height else rows.min() : top, (columns.min() + columns.max()) // 2]
+
+
+def off(bar: np.ndarray, place: float, color: Sequence[float]) -> float:
+    """How much the bar differs from the color at a place from 0 to 1, give or take two pixels."""
+    middle = round(place * (len(bar) - 1))
+    return float(np.abs(bar[middle - 2 : middle + 3] - color).max(axis=1).min())
+
+
+def on_screen(color: Sequence[float]) -> np.ndarray:
+    """sRGB of a linear color."""
+    linear = np.array(color[:3])
+    return np.where(linear < 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+
+
 run(
     start,
     lines_show_where_no_surface_hides_them,
@@ -134,4 +199,6 @@ run(
     lines_have_the_color_of_their_level,
     lines_go_with_the_object_and_the_overlays,
     lines_show_in_every_mode,
+    lines_that_a_result_shows_are_drawn_once,
+    the_legend_has_ramp_window_and_levels,
 )
