@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Random use with Live on, in one Blender process: soak [--minutes M] [--seed S].
 
-When it rests, the stored field has to be a new solve's, bit for bit. After --minutes long enough to tell, the process
+When it rests, the stored field has to be a new solve's, bit for bit, its colours those of the ramp and its lines new
+ones of that field. After --minutes long enough to tell, the process
 must not have grown. What went wrong in the log (a traceback) or with the process (a crash) is seen from outside.
 """
 
@@ -16,7 +17,7 @@ from canvas import ball, go_to
 from dirichlet_isolines import dirichlet_surface
 from dirichlet_isolines.blender import live
 from steps import Waiting, run, until, words
-from truth import is_fresh
+from truth import colors_follow, is_fresh, lines_follow
 
 _WARM_UP = 0.25  # the part of the time after which memory counts
 _TELLING = 300  # seconds from which growth can be told from noise
@@ -65,7 +66,7 @@ def _is_settled() -> bool:
     if live.is_pending(ball()):
         return False
     try:
-        return is_fresh(ball())
+        return is_fresh(ball()) and colors_follow(ball()) and lines_follow(ball(), live.preview_of(ball()))
     except dirichlet_surface.DirichletError:  # there is no field of such paint
         return True
 
