@@ -65,12 +65,6 @@ double scaled(double x, int exponent) {
   return exponent == 0 ? x : std::ldexp(x, exponent);
 }
 
-double diagonal(const SparseView& K, Index row) {
-  double mass = 0;
-  for_row(K, row, [&](Index j, double k) { mass = j == row ? k : mass; });
-  return mass;
-}
-
 /// Bit for bit: -0 is not 0.
 bool same(std::span<const double> a, std::span<const double> b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
@@ -88,15 +82,17 @@ bool same(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::MatrixXd& b) 
 
 } // namespace
 
-HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options) {
+HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options, Laplacian laplacian) {
   base_.vertices = mesh.vertex_count();
   base_.connectivity_seconds = mesh.build_seconds();
   with_memory(base_.vertices, [&] {
     const Stopwatch watch;
     auto pieces = in_background(at(base_.vertices), [&mesh] { return mesh.components(); });
-    SparseMatrix K = graph_stiffness(mesh);
+    Stiffness stiffness = make_stiffness(mesh, laplacian);
+    describe(stiffness);
     base_.laplacian_seconds = watch.seconds();
-    solver_ = make_solver(std::move(K), options);
+    mass_ = std::move(stiffness.mass);
+    solver_ = make_solver(std::move(stiffness.K), options);
     constexpr Index kLarge = 500'000; // whose analysis took about as much as the factor is going to
     if (solver_->statistics().method == Method::direct && base_.vertices >= kLarge) return_freed_memory();
     const std::span<const Index> order = solver_->order();
@@ -111,12 +107,25 @@ HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options) {
   base_.analysis_seconds = statistics.analysis_seconds;
 }
 
-HarmonicSolver::HarmonicSolver(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options)
-    : HarmonicSolver(mesh, checked(mesh, painted, options)) {
+HarmonicSolver::HarmonicSolver(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options,
+                               Laplacian laplacian)
+    : HarmonicSolver(mesh, checked(mesh, painted, options), laplacian) {
   with_memory(base_.vertices, [&] { repaint(painted, find_repeats(base_.vertices, painted)); });
 }
 
 HarmonicSolver::~HarmonicSolver() = default;
+
+void HarmonicSolver::describe(const Stiffness& stiffness) {
+  maximum_principle_ = stiffness.maximum_principle;
+  base_.laplacian = stiffness.laplacian;
+  base_.reason = stiffness.reason;
+  base_.flat_faces = stiffness.flat_faces;
+  if (stiffness.flat_faces > 0)
+    mesh_warnings_.push_back(message(stiffness.flat_faces,
+                                     stiffness.flat_faces == 1 ? " face has no area; it is face "
+                                                               : " faces have no area; the first is face ",
+                                     stiffness.first_flat));
+}
 
 /// Brings mask, factor and regions up to a painting that was checked.
 void HarmonicSolver::repaint(std::span<const Index> painted, Repeats repeats) {
@@ -142,7 +151,7 @@ void HarmonicSolver::report_painting() {
   base_.undefined = rows_->undefined_count();
   base_.unknowns = rows_->free_count();
   base_.first_undefined = -1;
-  base_.warnings.clear();
+  base_.warnings = mesh_warnings_;
   if (base_.undefined == 0) return;
   while (!rows_->is_undefined(position_[at(++base_.first_undefined)])) {
   }
@@ -195,12 +204,10 @@ Block HarmonicSolver::prescribe(const Eigen::Ref<const Eigen::MatrixXd>& values,
   Block prescribed = Block::Zero(base_.vertices, values.cols());
   for (Eigen::Index k = 0; k < values.cols(); ++k) {
     const int exponent = -exponents[static_cast<std::size_t>(k)];
-    if (!source.empty()) {
-      const SparseView K = solver_->matrix();
+    if (!source.empty())
       for (Index row = 0; row < base_.vertices; ++row)
-        if (rows_->fixed()[at(row)] == 0)
-          prescribed(row, k) = diagonal(K, row) * scaled(source[at(solver_->order()[at(row)])], exponent);
-    }
+        if (const auto v = at(solver_->order()[at(row)]); rows_->fixed()[at(row)] == 0)
+          prescribed(row, k) = mass_[v] * scaled(source[v], exponent);
     for (std::size_t c = 0; c < painted_.size(); ++c)
       prescribed(position_[at(painted_[c])], k) = scaled(values(static_cast<Eigen::Index>(c), k), exponent);
   }
@@ -228,21 +235,30 @@ Field HarmonicSolver::compute(const Eigen::Ref<const Eigen::MatrixXd>& values, s
   rhs.resize(0, 0); // before the field takes its memory
   finish(values, exponents, x);
   std::optional<PaintedRanges> ranges;
-  if (source.empty()) ranges.emplace(regions_->result(), x);
+  if (source.empty()) ranges.emplace(regions_->result(), x, maximum_principle_);
   const FieldRange range = hand_out(x, solver_->order(), *rows_, ranges ? &*ranges : nullptr, field.values);
   if (!std::isfinite(range.minimum) || !std::isfinite(range.maximum))
     throw SolverError("the source lifts the field beyond the largest number");
   report.minimum = range.minimum + 0.0; // 0 for -0: of equal ones, any thread's may come first
   report.maximum = range.maximum + 0.0;
-  report.outside = range.projected.count;
-  report.farthest_outside = range.projected.farthest;
   report.painted_minimum = values.minCoeff();
   report.painted_maximum = values.maxCoeff();
+  report_outside(range.outside, report);
   for (const auto column : values.colwise())
     if (source.empty() && column.minCoeff() == column.maxCoeff())
       report.warnings.push_back(message("every painted value is ", column[0], ", so the field is constant"));
   report.solve_seconds = watch.seconds();
   return field;
+}
+
+void HarmonicSolver::report_outside(const Outside& outside, SolveReport& report) const {
+  report.outside = outside.count;
+  report.farthest_outside = outside.farthest;
+  constexpr double kVisible = 1e-9; // of the painted range: what an iteration's tolerance may leave is not said
+  if (maximum_principle_ || outside.farthest <= kVisible * (report.painted_maximum - report.painted_minimum)) return;
+  report.warnings.push_back(message(outside.count, outside.count == 1 ? " value lies" : " values lie",
+                                    " outside the painted range, by up to ", outside.farthest,
+                                    "; with the intrinsic Delaunay Laplacian none would"));
 }
 
 /// The free rows as the last field had them: where an iteration starts.
@@ -267,11 +283,11 @@ void HarmonicSolver::finish(const Eigen::Ref<const Eigen::MatrixXd>& values, con
   }
 }
 
-SparseMatrix dirichlet_laplacian(const Mesh& mesh, std::span<const Index> painted) {
+SparseMatrix dirichlet_laplacian(const Mesh& mesh, std::span<const Index> painted, Laplacian laplacian) {
   check_painted(mesh.vertex_count(), painted);
   Mask mask(at(mesh.vertex_count()), 0);
   for (const Index v : painted) mask[at(v)] = 1;
-  return inject(random_walk(graph_stiffness(mesh)), mask);
+  return inject(laplace_operator(make_stiffness(mesh, laplacian)), mask);
 }
 
 } // namespace dirichlet

@@ -13,8 +13,8 @@ namespace {
 void merge(const FieldRange& part, FieldRange& all) {
   all.minimum = std::min(all.minimum, part.minimum);
   all.maximum = std::max(all.maximum, part.maximum);
-  all.projected.count += part.projected.count;
-  all.projected.farthest = std::max(all.projected.farthest, part.projected.farthest);
+  all.outside.count += part.outside.count;
+  all.outside.farthest = std::max(all.outside.farthest, part.outside.farthest);
 }
 
 } // namespace
@@ -29,7 +29,7 @@ FieldRange hand_out(const Block& x, std::span<const Index> order, const FixedRow
   const auto some = [&](Index begin, Index end, Index column, FieldRange& range) {
     for (Index row = begin; row < end; ++row) {
       double value = x(row, column);
-      if (ranges != nullptr) value = ranges->project(row, column, value, range.projected);
+      if (ranges != nullptr) value = ranges->hold(row, column, value, range.outside);
       if (any_undefined && rows.is_undefined(row)) {
         value = std::numeric_limits<double>::quiet_NaN();
       } else {

@@ -7,8 +7,8 @@
 
 namespace dirichlet {
 
-PaintedRanges::PaintedRanges(const FreeRegions& regions, const Block& field)
-    : regions_(regions), columns_(static_cast<std::size_t>(field.cols())) {
+PaintedRanges::PaintedRanges(const FreeRegions& regions, const Block& field, bool maximum_principle)
+    : regions_(regions), columns_(static_cast<std::size_t>(field.cols())), maximum_principle_(maximum_principle) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   ranges_.assign(at(regions.count) * columns_, {kInfinity, -kInfinity});
   for (const auto& [region, row] : regions.rim) {
@@ -21,11 +21,12 @@ PaintedRanges::PaintedRanges(const FreeRegions& regions, const Block& field)
   }
 }
 
-double PaintedRanges::move(double value, double low, double high, Projection& moved) {
+double PaintedRanges::move(double value, double low, double high, Outside& outside) const {
   const double inside = std::clamp(value, low, high);
-  ++moved.count;
-  moved.farthest = std::max(moved.farthest, std::abs(value - inside));
-  return inside;
+  if (low == high) return inside;
+  ++outside.count;
+  outside.farthest = std::max(outside.farthest, std::abs(value - inside));
+  return maximum_principle_ ? inside : value;
 }
 
 } // namespace dirichlet

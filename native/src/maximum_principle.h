@@ -9,8 +9,8 @@
 
 namespace dirichlet {
 
-/// What was moved, and how far at most.
-struct Projection {
+/// How many values lie outside the painted range of their region, and how far at most.
+struct Outside {
   Index count = 0;
   double farthest = 0;
 };
@@ -18,25 +18,30 @@ struct Projection {
 /// The maximum principle, region by region: no value leaves the range painted at the rim. Rounding may, by an ulp, and
 /// an isoline at exactly that value would be noise; such values are moved to the end of the range. Regions without a
 /// rim have none, and stay.
+///
+/// An operator without that principle still gives the constant to a region whose rim is constant. Elsewhere values
+/// outside are counted and stay where they are.
 class PaintedRanges {
  public:
   /// \param field  (n, k), of which painted rows are read; regions are kept by reference. Cost: O(k rim).
-  PaintedRanges(const FreeRegions& regions, const Block& field);
+  /// \param maximum_principle  whether the operator has one
+  PaintedRanges(const FreeRegions& regions, const Block& field, bool maximum_principle);
 
-  /// A value of the field, inside the range of its region; `moved` counts it if it was not.
-  double project(Index row, Index column, double value, Projection& moved) const {
+  /// A value of the field, inside the range of its region as far as that rules; `outside` counts it if it was not.
+  double hold(Index row, Index column, double value, Outside& outside) const {
     const Index region = regions_.label[at(row)];
     if (region == FreeRegions::kPainted) return value;
     const auto& [low, high] = ranges_[at(region) * columns_ + at(column)];
     if ((value >= low && value <= high) || low > high) return value;
-    return move(value, low, high, moved);
+    return move(value, low, high, outside);
   }
 
  private:
-  static double move(double value, double low, double high, Projection& moved);
+  [[nodiscard]] double move(double value, double low, double high, Outside& outside) const;
 
   const FreeRegions& regions_;
   std::size_t columns_;
+  bool maximum_principle_;
   std::vector<std::array<double, 2>> ranges_; ///< (regions, k); lowest and highest
 };
 

@@ -16,10 +16,6 @@
 namespace dirichlet {
 namespace {
 
-double largest_part(const Vector3& a) {
-  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
-}
-
 /// Whether the triangles 0 1 2 and 0 2 3 both face the way the whole quad does: neither folded over nor flat.
 bool splits_well(const std::array<Vector3, 4>& quad) {
   const Vector3 diagonal = quad[2] - quad[0];

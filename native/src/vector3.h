@@ -26,6 +26,10 @@ inline Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+inline double largest_part(const Vector3& a) {
+  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+}
+
 /// The power of two that brings `size` >= 0 near 1, so that products of several lengths neither vanish nor overflow;
 /// multiplying by it does not round.
 inline double unit_scale(double size) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dirichlet/laplacian.h"
 
+#include <algorithm>
+
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "mesh_makers.h"
+#include "parallel.h"
 
 namespace dirichlet {
 namespace {
@@ -57,6 +60,58 @@ TEST(RandomWalk, rows_sum_to_zero_with_a_unit_diagonal_but_an_isolated_vertex_ha
   EXPECT_LE((L * Eigen::VectorXd::Ones(L.cols())).cwiseAbs().maxCoeff(), 1e-15);
   EXPECT_TRUE(Eigen::VectorXd(L.diagonal()).head(isolated).isOnes(0));
   EXPECT_EQ(L.coeff(isolated, isolated), 0);
+}
+
+TEST(LaplaceOperator, of_the_graph_is_the_random_walk) {
+  for (const auto& soup : soups()) {
+    const auto mesh = make_mesh(soup);
+    const SparseMatrix L = laplace_operator(make_stiffness(*mesh, Laplacian::graph));
+    EXPECT_EQ(Eigen::MatrixXd(L), Eigen::MatrixXd(random_walk(graph_stiffness(*mesh))));
+  }
+}
+
+TEST(Stiffness, has_a_maximum_principle_where_no_weight_is_negative) {
+  auto stretched = makers::grid(5, 4, false);
+  for (std::size_t x = 0; x < stretched.positions.size(); x += 3) stretched.positions[x] *= 9;
+  auto sheared = makers::grid(5, 4);
+  for (std::size_t x = 0; x < sheared.positions.size(); x += 3) sheared.positions[x] -= 3 * sheared.positions[x + 1];
+  const auto holds = [](const makers::PolygonSoup& soup, Laplacian laplacian) {
+    return make_stiffness(*make_mesh(soup), laplacian).maximum_principle;
+  };
+  EXPECT_TRUE(holds(makers::grid(5, 4), Laplacian::cotangent));
+  EXPECT_FALSE(holds(sheared, Laplacian::cotangent));
+  EXPECT_TRUE(holds(sheared, Laplacian::graph));
+  EXPECT_TRUE(holds(makers::grid(5, 4, false), Laplacian::polygon));
+  EXPECT_FALSE(holds(stretched, Laplacian::polygon));
+}
+
+TEST(Stiffness, is_the_same_whatever_the_number_of_threads) {
+  const auto triangles = make_mesh(makers::torus(220, 110)), quads = make_mesh(makers::torus(220, 110, false));
+  for (const Laplacian laplacian : {Laplacian::cotangent, Laplacian::polygon}) {
+    const Mesh& mesh = laplacian == Laplacian::polygon ? *quads : *triangles;
+    thread_limit = 1;
+    const Stiffness alone = make_stiffness(mesh, laplacian);
+    for (const unsigned threads : {2U, 5U}) {
+      thread_limit = threads;
+      const Stiffness together = make_stiffness(mesh, laplacian);
+      EXPECT_TRUE(std::equal(alone.K.valuePtr(), alone.K.valuePtr() + alone.K.nonZeros(), together.K.valuePtr()));
+      EXPECT_EQ(alone.mass, together.mass);
+    }
+    thread_limit = 0;
+  }
+}
+
+TEST(Stiffness, counts_faces_without_area_and_names_the_first) {
+  auto soup = makers::grid(60, 60, false); // several threads' worth
+  const auto n = static_cast<Index>(soup.positions.size() / 3);
+  for (const double x : {-1.0, -2.0, -3.0, -4.0}) soup.positions.insert(soup.positions.end(), {x, 0, 0});
+  for (int k = 0; k < 3; ++k) soup.faces.push_back({n, n + 1, n + 2, n + 3});
+  for (const Laplacian laplacian : {Laplacian::cotangent, Laplacian::intrinsic_delaunay, Laplacian::polygon}) {
+    const Stiffness stiffness = make_stiffness(*make_mesh(soup), laplacian);
+    EXPECT_EQ(stiffness.flat_faces, 3);
+    EXPECT_EQ(stiffness.first_flat, 3600);
+  }
+  EXPECT_EQ(make_stiffness(*make_mesh(soup), Laplacian::graph).flat_faces, 0);
 }
 
 } // namespace

@@ -24,9 +24,12 @@ enum class Update : std::uint8_t {
 
 /// What was solved, how well and how fast. Ranges are over all columns of a field.
 struct SolveReport {
-  Method method = Method::direct; ///< the one taken, never automatic
-  Update update = Update::full;   ///< by the last change of paint
-  double repeated = 1;            ///< its share of the work of a whole factorisation, in [0, 1]
+  Laplacian laplacian = Laplacian::graph; ///< the one taken, never automatic
+  std::string reason;                     ///< why automatic took it; else empty
+  Index flat_faces = 0;                   ///< faces without an area; 0 for the graph
+  Method method = Method::direct;         ///< the one taken, never automatic
+  Update update = Update::full;           ///< by the last change of paint
+  double repeated = 1;                    ///< its share of the work of a whole factorisation, in [0, 1]
   Index vertices = 0;
   Index painted = 0;                ///< distinct painted vertices
   Index unknowns = 0;               ///< free vertices that have an equation
@@ -38,8 +41,8 @@ struct SolveReport {
   double maximum = 0;
   double painted_minimum = 0;
   double painted_maximum = 0;
-  Index outside = 0;               ///< values the solver left outside the painted range of their region, by rounding;
-  double farthest_outside = 0;     ///< and how far; projected back onto it (only without a source)
+  Index outside = 0;               ///< values outside the painted range of their region (looked for without a source),
+  double farthest_outside = 0;     ///< and how far; see HarmonicSolver for what becomes of them
   Index undefined = 0;             ///< vertices of pieces without paint: NaN
   Index first_undefined = -1;      ///< the lowest of them, or -1
   double connectivity_seconds = 0; ///< wall time: the mesh's validation and connectivity
@@ -59,26 +62,30 @@ struct Field {
 
 class FixedRows;
 class RegionSearch;
+struct Outside;
 
 /// Laplace's (or Poisson's) equation on a mesh with values prescribed on painted vertices. Lives as long as the mesh
 /// does not change: the matrix is ordered and analysed once, then `paint` follows the brush and computes no more than
 /// what changed, and `solve` serves any values of the painting that is there. Keeps nothing of the mesh but its matrix,
 /// and the field painted last.
 ///
-/// Without a source the graph Laplacian has a maximum principle, so every field lies in the range painted at the rim of
-/// its region; what rounding leaves outside is projected onto it and counted in the report.
+/// Without a source an operator of a maximum principle (graph and intrinsic Delaunay always, the others where no weight
+/// is negative) keeps every field in the range painted at the rim of its region; what rounding leaves outside is
+/// projected onto it and counted in the report. Where there is no such principle nothing is moved: the report counts
+/// what lies outside and warns.
 ///
 /// May be used from several threads: a `paint` waits for the `solve`s that run, and they for it.
 class HarmonicSolver {
  public:
-  /// Nothing painted yet. \throws InputError  an option out of its range. Cost: see make_solver.
-  explicit HarmonicSolver(const Mesh& mesh, const SolverOptions& options = {});
+  /// Nothing painted yet. \throws InputError  an option out of its range; and as make_stiffness. Cost: see make_solver.
+  explicit HarmonicSolver(const Mesh& mesh, const SolverOptions& options = {}, Laplacian laplacian = Laplacian::graph);
 
   /// The vertices painted, their values still to come with `solve`.
   /// \param painted  (C,) vertices with a value, any order; a repeated one must be given equal values.
   /// \throws InputError   nothing painted, an index out of range (named with its place), an option out of range
   /// \throws SolverError  the factorisation failed
-  HarmonicSolver(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options = {});
+  HarmonicSolver(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options = {},
+                 Laplacian laplacian = Laplacian::graph);
 
   ~HarmonicSolver();
 
@@ -86,7 +93,7 @@ class HarmonicSolver {
   /// on what was painted before: direct in float64 it is the same bit for bit, else to the tolerance.
   /// \param painted  as above
   /// \param values   (C, k) finite, aligned with `painted`.
-  /// \param source   (V,) finite, or empty: at free vertices (I − D⁻¹A) φ = source, so a positive source raises φ.
+  /// \param source   (V,) finite, or empty: at free vertices mass⁻¹ K φ = source, so a positive source raises φ.
   ///                 Entries at painted vertices are not read.
   /// \throws InputError   a wrong length, a number that is not finite, one vertex with two values; names it. The last
   ///                      painting stays.
@@ -106,7 +113,9 @@ class HarmonicSolver {
  private:
   using Repeats = std::vector<std::array<Index, 2>>;
   void repaint(std::span<const Index> painted, Repeats repeats);
+  void describe(const Stiffness& stiffness);
   void report_painting();
+  void report_outside(const Outside& outside, SolveReport& report) const;
   [[nodiscard]] Field unchanged();
   [[nodiscard]] Block prescribe(const Eigen::Ref<const Eigen::MatrixXd>& values, std::span<const double> source,
                                 const std::vector<int>& exponents) const;
@@ -117,6 +126,9 @@ class HarmonicSolver {
 
   std::unique_ptr<Solver> solver_;
   std::vector<Index> position_; ///< (V,) the row of every vertex
+  std::vector<double> mass_;    ///< (V,) of every vertex
+  bool maximum_principle_ = true;
+  std::vector<std::string> mesh_warnings_;
   std::unique_ptr<FixedRows> rows_;
   std::unique_ptr<RegionSearch> regions_; ///< of the free rows
   std::vector<Index> painted_;            ///< as given; empty while nothing is painted
@@ -130,7 +142,9 @@ class HarmonicSolver {
   mutable std::shared_mutex mutex_;
 };
 
-/// The paper's square matrix for a painted set, (I − M)(I − D⁻¹A) + M. \throws InputError  as HarmonicSolver.
-SparseMatrix dirichlet_laplacian(const Mesh& mesh, std::span<const Index> painted);
+/// The paper's square matrix for a painted set, (I − M) mass⁻¹ K + M. \throws InputError  as HarmonicSolver, and as
+/// laplace_operator.
+SparseMatrix dirichlet_laplacian(const Mesh& mesh, std::span<const Index> painted,
+                                 Laplacian laplacian = Laplacian::graph);
 
 } // namespace dirichlet

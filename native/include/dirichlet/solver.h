@@ -30,7 +30,8 @@ struct SolverOptions {
   /// Bytes that the factor and what makes strokes quick should take: automatic goes by it, direct keeps no more for
   /// strokes. Nothing said: half of the machine's memory.
   std::optional<std::int64_t> memory_budget;
-  /// In (0, 1). A float32 factor and multigrid stop at ‖r‖ ≤ tolerance ‖b‖ (nothing said: 1e-10), least squares at
+  /// In (0, 1). A float32 factor and multigrid stop at ‖r‖ ≤ tolerance ‖b‖ (nothing said: 1e-10, and multigrid where
+  /// rounding ends if that is before, as with weights 1e8 times others), least squares at
   /// ‖Aᵀr‖ ≤ tolerance ‖Aᵀb‖ (nothing said: 1e-14). Norms are over a whole column: a piece whose values are small
   /// beside those of others is solved less exactly than they.
   std::optional<double> tolerance;

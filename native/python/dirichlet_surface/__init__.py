@@ -10,7 +10,7 @@ All errors are DirichletError: InputError, TopologyError or SolverError, one sen
 
 from ._native import CancelledError, DirichletError, InputError, SolverError, TopologyError
 from .build import build_information, set_thread_limit
-from .field import CancelToken, CsrMatrix, Field, HarmonicSolver, SolveReport, dirichlet_laplacian, solve
+from .field import CancelToken, Field, HarmonicSolver, SolveReport, solve
 from .geodesic import geodesic_disc
 from .line_shaping import keep_long, move_lines, resample_lines, simplify_lines, smooth_lines
 from .lines import (
@@ -23,9 +23,11 @@ from .lines import (
     stepped_levels,
 )
 from .mesh import Mesh, PatchFacts, inspect_patches, read_mesh, write_mesh
+from .operators import LAPLACIANS, CsrMatrix, dirichlet_laplacian, lumped_mass, stiffness_matrix
 from .painting import Painting, Patch, combine_patches
 
 __all__ = [
+    "LAPLACIANS",
     "CancelToken",
     "CancelledError",
     "CsrMatrix",
@@ -52,6 +54,7 @@ __all__ = [
     "isolines",
     "keep_long",
     "level_through_point",
+    "lumped_mass",
     "move_lines",
     "read_mesh",
     "resample_lines",
@@ -60,5 +63,6 @@ __all__ = [
     "smooth_lines",
     "solve",
     "stepped_levels",
+    "stiffness_matrix",
     "write_mesh",
 ]

@@ -2,6 +2,7 @@
 """What callers pass, as the exact arrays the compiled module takes; no copy where type and layout already fit."""
 
 import operator
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -63,6 +64,19 @@ def as_count(value: Any, what: str, most: int) -> int:
     if not 1 <= count <= most:
         raise InputError(f"{what} is {count}, but has to be from 1 to {most}")
     return count
+
+
+def as_painted(vertices: ArrayLike) -> Indices:
+    """Painted vertices (C,)."""
+    painted = as_indices(vertices, "painted vertices")
+    require_shape(painted, (None,), "painted vertices")
+    return painted
+
+
+def require_name(name: Any, names: Iterable[str], what: str) -> None:
+    """Refuses what is not one of them."""
+    if name not in tuple(names):
+        raise InputError(f"there is no {what} {name!r}; choose from: {', '.join(names)}")
 
 
 def require_shape(array: NDArray[Any], shape: tuple[int | None, ...], what: str) -> None:

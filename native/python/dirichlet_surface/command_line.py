@@ -16,9 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._native import DirichletError, InputError
-from .field import LAPLACIANS, METHODS, Field, solve
+from .field import METHODS, Field, solve
 from .lines import Isolines, even_levels, isolines, level_through_point, stepped_levels
 from .mesh import Mesh, inspect_patches, read_mesh
+from .operators import LAPLACIANS
 from .output import FIELD_WRITERS, LINE_WRITERS, write_all, write_json
 from .painting import OVERLAP_RULES, Patch, combine_patches
 from .patch_argument import parse_numbers, parse_patch
@@ -47,7 +48,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="paint VALUE on vertices; PLACE is a file of vertex indices from 0, or x,y,z,r: all within r of a point",
     )  # fmt: skip
     parser.add_argument("--overlap", choices=OVERLAP_RULES, default="error", help="for patches that disagree")
-    parser.add_argument("--laplacian", choices=LAPLACIANS, default="graph")
+    parser.add_argument(
+        "--laplacian", choices=LAPLACIANS, default="graph",
+        help="; ".join(f"{name}: {when}" for name, when in LAPLACIANS.items()),
+    )  # fmt: skip
     parser.add_argument(
         "--method", choices=METHODS, default="auto",
         help="auto (default): direct while it fits half of the memory, else multigrid; lscg: the paper's least squares",

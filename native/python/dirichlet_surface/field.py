@@ -3,18 +3,17 @@
 
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _native
-from ._arrays import Indices, Reals, as_count, as_indices, as_reals, require_shape
+from ._arrays import Reals, as_count, as_painted, as_reals, require_name, require_shape
 from ._native import CancelToken as _NativeToken
 from ._native import InputError
 from .mesh import Mesh, require_mesh
+from .operators import LAPLACIANS
 
-LAPLACIANS = ("graph",)
 METHODS = ("auto", "direct", "multigrid", "lscg")
 PRECISIONS = ("float64", "float32")
 
@@ -24,6 +23,11 @@ class SolveReport:
     """What was solved, how well and how fast. Ranges are over all columns of a field."""
 
     laplacian: str
+    """the one taken, never "auto\""""
+    reason: str
+    """one sentence: why "auto" took it; else empty"""
+    flat_faces: int
+    """faces without an area; 0 for the graph Laplacian"""
     method: str
     """the one taken, never "auto\""""
     update: str
@@ -48,7 +52,8 @@ class SolveReport:
     painted_minimum: float
     painted_maximum: float
     outside: int
-    """values that rounding left outside the painted range of their region and that were projected onto it"""
+    """values outside the painted range of their region (looked for without a source). With a Laplacian that keeps the
+    range, rounding left them there and they were projected onto it; else they stay, and a warning says so"""
     farthest_outside: float
     undefined: int
     """vertices of pieces without paint: NaN"""
@@ -97,7 +102,7 @@ class HarmonicSolver:
 
     mesh            what is painted; only its matrix is kept
     vertices        (C,) painted vertices for `solve`, any order; or nothing yet
-    laplacian       "graph": the paper's, I − D⁻¹A over the polygon edges
+    laplacian       "graph": the paper's, I − D⁻¹A over the polygon edges; or another of LAPLACIANS
     method          "direct": Cholesky of the symmetric twin; "multigrid": conjugate gradients with memory O(V);
                     "auto": direct where the factor fits the memory budget, else multigrid; "lscg": the paper's
                     least-squares conjugate gradients on the raw matrix, the reference
@@ -132,18 +137,17 @@ class HarmonicSolver:
             (method, METHODS, "method"),
             (precision, PRECISIONS, "precision"),
         ):
-            if name not in kinds:
-                raise InputError(f"there is no {what} {name!r}; choose from: {', '.join(kinds)}")
+            require_name(name, kinds, what)
         if cancel is not None and not isinstance(cancel, CancelToken):
             raise InputError(f"this needs a CancelToken, not {type(cancel).__name__}")
         if memory_budget is not None:
             memory_budget = as_count(memory_budget, "memory_budget", 2**63 - 1)
         if max_iterations is not None:
             max_iterations = as_count(max_iterations, "max_iterations", 2**31 - 1)
-        self._laplacian = laplacian
         self._native = _native.HarmonicSolver(
             mesh,
-            None if vertices is None else _painted(vertices),
+            None if vertices is None else as_painted(vertices),
+            laplacian,
             method,
             precision,
             memory_budget,
@@ -160,13 +164,13 @@ class HarmonicSolver:
         not depend on what was painted before: bit for bit for a direct method in float64, else to the tolerance.
         Arguments, result and errors otherwise as for `solve`; after an InputError the last painting stays.
         """
-        return self._solved(self._native.paint, values, source, _painted(vertices))
+        return self._solved(self._native.paint, values, source, as_painted(vertices))
 
     def solve(self, values: ArrayLike, source: ArrayLike | None = None) -> Reals:
         """The field for painted values (C,) or (C, k), aligned with the vertices: (V,) or (V, k).
 
-        source  (V,) or nothing: at free vertices (I − D⁻¹A) φ = source, so a positive source raises φ; entries at
-                painted vertices are not read.
+        source  (V,) or nothing: at free vertices mass⁻¹ K φ = source (graph: (I − D⁻¹A) φ), so a positive source
+                raises φ; entries at painted vertices are not read.
 
         φ equals the painted values bit for bit where painted, and is NaN on connected pieces without paint. Raises
         InputError (a length, a number that is not finite, one vertex with two values) or SolverError. Releases the GIL.
@@ -188,7 +192,7 @@ class HarmonicSolver:
             forcing = as_reals(source, "sources")
             require_shape(forcing, (None,), "sources")
         field, report = solve(*first, columns[:, None] if columns.ndim == 1 else columns, forcing)
-        self._report = SolveReport(laplacian=self._laplacian, **report)
+        self._report = SolveReport(**report)
         return field[:, 0] if columns.ndim == 1 else field
 
     @property
@@ -197,12 +201,6 @@ class HarmonicSolver:
         if self._report is None:
             raise InputError("nothing was solved yet, so there is no report")
         return self._report
-
-
-def _painted(vertices: ArrayLike) -> Indices:
-    painted = as_indices(vertices, "painted vertices")
-    require_shape(painted, (None,), "painted vertices")
-    return painted
 
 
 def solve(
@@ -232,27 +230,3 @@ def solve(
         max_iterations=max_iterations,
     )
     return Field(solver.solve(numbers, source), solver.report)
-
-
-class CsrMatrix(NamedTuple):
-    """A square sparse matrix in compressed rows; scipy.sparse.csr_matrix((data, indices, indptr)) takes its parts."""
-
-    indptr: Indices
-    """(n + 1,)"""
-    indices: Indices
-    """(nnz,) columns, ascending in every row"""
-    data: NDArray[np.float64]
-    """(nnz,)"""
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        return len(self.indptr) - 1, len(self.indptr) - 1
-
-
-def dirichlet_laplacian(mesh: Mesh, vertices: ArrayLike) -> CsrMatrix:
-    """The paper's square matrix (I − M)(I − D⁻¹A) + M for a painted set (C,): identity rows where painted.
-
-    Raises InputError: nothing painted, an index out of range. Cost: O(V + E).
-    """
-    require_mesh(mesh)
-    return CsrMatrix(*_native.dirichlet_laplacian(mesh, _painted(vertices)))

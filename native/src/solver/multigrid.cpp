@@ -133,14 +133,16 @@ class Multigrid::Iteration {
     });
   }
 
-  Result run(double tolerance, Index max_iterations) {
+  Result run(double tolerance, Index max_iterations, bool to_rounding) {
     Index steps = 0;
     double before = std::numeric_limits<double>::infinity(); // the residual of the last beginning
     for (;;) {
       double residual = true_residual();
       if (residual <= tolerance) return {steps, residual};
       if (!std::isfinite(residual)) throw SolverError("a number of the right-hand side or start is not finite");
-      if (steps >= max_iterations || residual > std::exchange(before, residual) / 2) // or rounding allows no less
+      const bool stands = residual > std::exchange(before, residual) / 2; // rounding allows no less
+      if (stands && to_rounding && residual <= rounding()) return {steps, residual};
+      if (steps >= max_iterations || stands)
         throw SolverError(message("multigrid conjugate gradients stopped at a relative residual of ", residual,
                                   " after ", steps, " steps, short of the tolerance ", tolerance));
       double rho = 0;
@@ -172,6 +174,16 @@ class Multigrid::Iteration {
       return r[at(i)] * r[at(i)];
     });
     return scale_ == 0 ? 0 : std::sqrt(square) / scale_; // where b = 0, x started at the solution
+  }
+
+  /// What sums of products of this size are off by, relative like a residual.
+  double rounding() const {
+    const double square = sum_rows(x_.size(), [&](Index i) {
+      double sum = 0;
+      if (!painted(i)) for_row(grid_.K_, i, [&](Index j, double a) { sum += std::abs(a * x_[at(j)]); });
+      return sum * sum;
+    });
+    return 8 * std::numeric_limits<double>::epsilon() * std::sqrt(square) / scale_;
   }
 
   /// One step. \param rho  rᵀz of the step before, 0 at the first. \returns ‖r‖ / ‖b‖
@@ -206,12 +218,12 @@ class Multigrid::Iteration {
 };
 
 Multigrid::Result Multigrid::solve(std::span<const double> rhs, std::span<double> x, double tolerance,
-                                   Index max_iterations) const {
+                                   Index max_iterations, bool to_rounding) const {
   if (rhs.size() != at(K_.rows()) || x.size() != rhs.size())
     throw InputError(message("a right-hand side of ", rhs.size(), " and a start of ", x.size(),
                              " numbers do not fit a matrix of ", K_.rows(), " rows"));
   Iteration iteration(*this, rhs, x);
-  const Result result = iteration.run(tolerance, max_iterations);
+  const Result result = iteration.run(tolerance, max_iterations, to_rounding);
   iteration.write(x);
   return result;
 }

@@ -44,11 +44,14 @@ class Multigrid {
   /// \param x               (n,) in: where to start; out: the solution
   /// \param tolerance       stop at ‖b − A x‖ ≤ tolerance ‖b‖, both over free vertices
   /// \param max_iterations  give up after so many steps
+  /// \param to_rounding     be content with a residual that rounding alone may leave, 8 ε ‖|A| |x|‖, where it grows no
+  ///                        smaller
   /// \throws InputError   an array of a wrong length
   /// \throws SolverError  short of the tolerance after max_iterations or where rounding ends, A is not positive
   ///                      definite, or a number is not finite. x is not changed then.
   /// Cost: O(non-zeros) per step; five working arrays (n,).
-  Result solve(std::span<const double> rhs, std::span<double> x, double tolerance, Index max_iterations) const;
+  Result solve(std::span<const double> rhs, std::span<double> x, double tolerance, Index max_iterations,
+               bool to_rounding = false) const;
 
   /// What is held beside K.
   [[nodiscard]] std::int64_t bytes() const;

@@ -14,7 +14,7 @@ class MultigridSolver final : public IterativeSolver {
  public:
   MultigridSolver(SparseMatrix&& K, const SolverOptions& options, double analysis_seconds)
       : IterativeSolver(std::move(K), Method::multigrid, analysis_seconds),
-        tolerance_(options.tolerance.value_or(kTwinTolerance)),
+        tolerance_(options.tolerance.value_or(kTwinTolerance)), to_rounding_(!options.tolerance),
         max_iterations_(options.max_iterations.value_or(kMostTwinIterations)), cancel_(options.cancel) {}
 
   Index solve(const Block& rhs, Block& x) const override {
@@ -25,8 +25,9 @@ class MultigridSolver final : public IterativeSolver {
       b = rhs.col(column);
       guess = x.col(column);
       const auto span = [](auto& vector) { return std::span(vector.data(), static_cast<std::size_t>(vector.size())); };
-      iterations = std::max(
-          iterations, multigrid_->solve(span(std::as_const(b)), span(guess), tolerance_, max_iterations_).iterations);
+      const auto result =
+          multigrid_->solve(span(std::as_const(b)), span(guess), tolerance_, max_iterations_, to_rounding_);
+      iterations = std::max(iterations, result.iterations);
       x.col(column) = guess;
     }
     return iterations;
@@ -40,6 +41,7 @@ class MultigridSolver final : public IterativeSolver {
 
   std::unique_ptr<const Multigrid> multigrid_; ///< the hierarchy of the mask
   double tolerance_;
+  bool to_rounding_; ///< no tolerance was asked for
   Index max_iterations_;
   CancelToken cancel_;
 };
