@@ -130,6 +130,49 @@ inline void expect_real_segments(const Isolines& lines) {
   }
 }
 
+/// Edges that do not lead from one triangle to another, all of whose corners have values: those of a border, of three
+/// faces or more, and those beside NaN.
+inline std::set<std::array<Index, 2>> edges_without_a_way_on(const Mesh& mesh, const std::vector<double>& field) {
+  std::map<std::array<Index, 2>, std::array<int, 2>> triangles; // by edge: all, and those with values
+  const auto corners = mesh.triangulated().corners();
+  for (Index c = 0; c < static_cast<Index>(corners.size()); ++c) {
+    const Index a = corners[at(c)], next = next_in_triangle(c), b = corners[at(next)];
+    const Index opposite = corners[at(next_in_triangle(next))];
+    auto& [all, valued] = triangles[{std::min(a, b), std::max(a, b)}];
+    ++all;
+    valued += std::isnan(field[at(a)] + field[at(b)] + field[at(opposite)]) ? 0 : 1;
+  }
+  std::set<std::array<Index, 2>> edges;
+  for (const auto& [edge, counts] : triangles)
+    if (counts != std::array{2, 2}) edges.insert(edge);
+  return edges;
+}
+
+/// Open lines end on such an edge, or at a point of one: of points that coincide, that on another edge may have stayed.
+inline void expect_ends_where_lines_may_end(const Mesh& mesh, const Isolines& lines, const std::vector<double>& field,
+                                            const std::vector<double>& levels) {
+  const auto edges = edges_without_a_way_on(mesh, field);
+  const auto coincides = [&](const Point& end, double level) {
+    return std::any_of(edges.begin(), edges.end(), [&](const auto& edge) {
+      const double a = field[at(edge[0])], b = field[at(edge[1])];
+      if ((a >= level) == (b >= level)) return false;
+      const auto t = static_cast<double>((level - static_cast<long double>(a)) / (static_cast<long double>(b) - a));
+      const Point from = position(mesh, edge[0]), to = position(mesh, edge[1]);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double size = std::abs(from[axis]) + std::abs(to[axis]);
+        if (!(std::abs(std::lerp(from[axis], to[axis], t) - end[axis]) <= 1e-14 * size)) return false;
+      }
+      return true;
+    });
+  };
+  for (std::size_t l = 0; l < line_count(lines); ++l)
+    for (const Index p : {lines.offsets[l], lines.offsets[l + 1] - 1})
+      if (lines.closed[l] == 0)
+        EXPECT_TRUE(edges.contains({lines.edges[2 * at(p)], lines.edges[2 * at(p) + 1]}) ||
+                    coincides(point(lines, at(p)), levels[at(lines.level[l])]))
+            << "line " << l << " ends in the open";
+}
+
 inline void expect_lawful(const Mesh& mesh, const Isolines& lines, const std::vector<double>& field,
                           const std::vector<double>& levels) {
   expect_consistent_arrays(lines, levels.size());
