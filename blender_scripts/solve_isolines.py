@@ -80,7 +80,7 @@ def choose_object(surface: ModuleType, args: argparse.Namespace) -> bpy.types.Ob
 def set_patches(addon: ModuleType, obj: bpy.types.Object, args: argparse.Namespace) -> None:
     """Puts the groups and patches asked for into the add-on's list; nothing asked for leaves the list as it is."""
     surface, settings = part(addon, "library").load(), obj.dirichlet
-    settings.overlap, settings.method = args.overlap, args.method
+    settings.overlap, settings.laplacian, settings.method = args.overlap, args.laplacian, args.method
     if not args.groups and not args.patches:
         return
     positions = part(addon, "blender.mesh.meshes").read_positions(obj.data)

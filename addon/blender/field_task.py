@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import preferences, results
+from . import freshness, preferences, results
 from .look import looks, material, ramp
-from .mesh import attributes, evaluated, meshes
+from .mesh import attributes, meshes, surfaces
 from .mesh.sessions import Session, open_session
 from .paint import painting
 from .stopwatch import Stopwatch
@@ -24,16 +24,20 @@ class FieldTask:
     """All that the field of an object depends on."""
 
     session: Session
+    surface: Any  # the library's Mesh whose positions count, where the Laplacian sees any
     patches: list[Any]  # the library's Patch of every enabled patch
     painting: Any  # the library's Painting: vertices and values
     options: dict[str, Any]  # of the library's HarmonicSolver
     table: ramp.ColorTable | None  # nothing before there is a ramp: `write` makes one
     clock: Stopwatch
 
+    def fingerprint(self) -> str:
+        return freshness.fingerprint(self.options["laplacian"], self.surface, self.painting)
+
     def compute(self) -> FieldOutcome:
         """Raises what HarmonicSolver and its `paint` raise."""
         self.clock.restart()
-        values, report = self.session.paint(self.painting, self.options)
+        values, report = self.session.paint(self.painting, self.options, self.surface)
         self.clock.lap("solve")
         shown = values.astype(np.float32)
         ends = ramp.limits(shown)
@@ -62,6 +66,7 @@ class FieldResult:
     painting: Any
     warnings: tuple[str, ...]
     seconds: dict[str, float]  # the report's stages, and "read", "paint", "colors", "write" of Blender's data
+    fingerprint: str  # see freshness.py
 
 
 def read(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = None) -> FieldTask:
@@ -71,19 +76,22 @@ def read(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = None) ->
     meshes.require_mesh(obj)
     attributes.require_names(obj)
     session = open_session(obj)
-    if obj.dirichlet.use_modifiers:
-        evaluated.require_positions(obj, session.arrays, depsgraph)
+    surface = surfaces.read(obj, session, depsgraph)
     clock.lap("read")
     patches = painting.read_patches(obj, depsgraph)
     painted = painting.combine(obj, patches)
     clock.lap("paint")
     table = ramp.read_table(obj) if material.find_ramp(obj) else None
     clock.lap("read")
-    return FieldTask(session, patches, painted, _options(obj.dirichlet), table, clock)
+    return FieldTask(session, surface, patches, painted, _options(obj.dirichlet), table, clock)
 
 
 def _options(settings: bpy.types.PropertyGroup) -> dict[str, Any]:
-    return {"method": settings.method, "memory_budget": preferences.memory_budget()}
+    return {
+        "laplacian": settings.laplacian,
+        "method": settings.method,
+        "memory_budget": preferences.memory_budget(),
+    }
 
 
 def write(obj: bpy.types.Object, outcome: FieldOutcome, *, cover: bool = True) -> FieldResult:
@@ -104,6 +112,6 @@ def write(obj: bpy.types.Object, outcome: FieldOutcome, *, cover: bool = True) -
     field = outcome.field
     warnings = (*task.painting.warnings, *field.report.warnings, *shown)
     seconds = task.clock.laps | field.report.seconds
-    result = FieldResult(field, task.session.mesh, task.painting, warnings, seconds)
+    result = FieldResult(field, task.session.mesh, task.painting, warnings, seconds, task.fingerprint())
     results.record_field(obj.dirichlet.results, result)
     return result

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether the field that a mesh carries is that of its patches as they are now."""
+"""Whether the field that a mesh carries is that of its patches as they are now, and of its shape where that counts."""
 
 from __future__ import annotations
 
@@ -10,25 +10,33 @@ import bpy
 
 from .. import library
 from ..language import say
+from .mesh import sessions, surfaces
 from .paint import painting
 
 
-def fingerprint(obj: bpy.types.Object, painted: Any) -> str:
-    """Another one whenever another field is to be expected. painted: the library's Painting of the object."""
-    sizes = len(obj.data.vertices), len(obj.data.polygons)
-    return " ".join(map(str, (*sizes, crc32(painted.vertices), crc32(painted.values))))
+def fingerprint(laplacian: str, surface: Any, painted: Any) -> str:
+    """Another one whenever another field is to be expected. surface: the library's Mesh solved on; painted: its
+    Painting."""
+    seen = () if laplacian == "graph" else (crc32(surface.positions),)
+    sizes = surface.vertex_count, surface.face_count
+    return " ".join(map(str, (laplacian, *sizes, crc32(painted.vertices), crc32(painted.values), *seen)))
 
 
 def doubt(obj: bpy.types.Object) -> str:
-    """A sentence when the field last solved for is not that of the patches; else nothing. Costs reading their
-    weights."""
+    """A sentence when the field last solved for is not that of the patches and the shape; else nothing. Costs reading
+    them."""
     solved_for = obj.dirichlet.results.fingerprint
     if not solved_for:  # by another object on the same mesh
         return ""
     try:
-        if fingerprint(obj, painting.read_painting(obj)) == solved_for:
+        surface = surfaces.read(obj, sessions.open_session(obj))
+        if fingerprint(obj.dirichlet.laplacian, surface, painting.read_painting(obj)) == solved_for:
             return ""
         reason = say("run Solve Field")
     except library.load().DirichletError as error:
         reason = str(error)
-    return say("the field of '{object}' is older than its patches: {reason}", object=obj.name, reason=reason)
+    return say(
+        "the field of '{object}' is older than its patches, shape or Laplacian: {reason}",
+        object=obj.name,
+        reason=reason,
+    )

@@ -6,21 +6,20 @@ from __future__ import annotations
 import bpy
 import numpy as np
 
-from . import freshness
-
 
 def record_field(results: bpy.types.PropertyGroup, solved) -> None:
     """solved: pipeline.FieldResult. Forgets the isolines of the field before."""
     report, seconds = solved.field.report, solved.seconds
     results.solved, results.extracted = True, False
     results.vertices, results.painted, results.unknowns = report.vertices, report.painted, report.unknowns
+    results.laplacian, results.reason = report.laplacian, report.reason
     results.undefined = report.undefined
     results.residual = report.relative_residual
     results.minimum, results.maximum = report.minimum, report.maximum
     results.connectivity_ms = 1000 * seconds["connectivity"]
     stages = ("laplacian", "analysis", "injection", "factorisation", "solve")
     results.solver_ms = 1000 * sum(seconds[stage] for stage in stages)
-    results.fingerprint = freshness.fingerprint(results.id_data, solved.painting)
+    results.fingerprint = solved.fingerprint
     results.field_warnings = "\n".join(solved.warnings)
 
 

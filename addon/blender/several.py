@@ -80,11 +80,13 @@ def _summary(reports: Sequence[Any]) -> str:
     }
     if len(reports) > 1:
         return say("{count} fields: {unknowns} of {vertices} vertices solved in {milliseconds:.1f} ms", **values)
-    return say(
+    summary = say(
         "{unknowns} of {vertices} vertices solved in {milliseconds:.1f} ms, values {low:.6g} to {high:.6g}, "
         "relative residual {residual:.1e}",
         **values,
     )
+    report = reports[0]
+    return f"{summary}; {report.laplacian}: {report.reason}" if report.reason else summary
 
 
 def _one_per_mesh(objects: Iterable[bpy.types.Object]) -> tuple[list[bpy.types.Object], list[str]]:

@@ -63,6 +63,11 @@ def report_made(operator: bpy.types.Operator, made) -> set[str]:
     return {"FINISHED"}
 
 
+def enum_name(group: bpy.types.PropertyGroup, name: str) -> str:
+    """In English, what people see of the value of an enum."""
+    return group.bl_rna.properties[name].enum_items[getattr(group, name)].name
+
+
 def write_sentence(
     layout: bpy.types.UILayout, context: bpy.types.Context, sentence: str, icon: str, lines: int = 1
 ) -> None:

@@ -13,11 +13,12 @@ from ..blender.look import material
 
 @persistent
 def _depsgraph_updated(scene, depsgraph) -> None:
-    """Painting and editing change the mesh; deforming it, or a setting of the object, the object alone."""
+    """Painting and editing change the mesh; deforming it, or a setting of the object, the object alone, whose field
+    need not depend on its shape."""
     blocks = [update.id.original for update in depsgraph.updates if update.is_updated_geometry]
     painted = [block for block in blocks if isinstance(block, bpy.types.Mesh)]
     for obj in (block for block in blocks if isinstance(block, bpy.types.Object)):
-        _note([obj], lines=obj.data not in painted, brush=True)
+        _note([obj], lines=obj.data not in painted and not _is_solved_as_shown(obj.dirichlet), brush=True)
     for update in depsgraph.updates:
         if isinstance(update.id, bpy.types.Material):
             _note(material.shown_on(update.id.original, scene), colors=True)
@@ -70,6 +71,10 @@ def _note(objects: Iterable[bpy.types.Object], *, colors=False, lines=False, bru
 
 def _is_followed(settings: bpy.types.PropertyGroup) -> bool:
     return settings.live or settings.preview or settings.followed
+
+
+def _is_solved_as_shown(settings: bpy.types.PropertyGroup) -> bool:
+    return settings.use_modifiers and settings.laplacian != "graph"
 
 
 def _used() -> ModuleType | None:

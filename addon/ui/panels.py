@@ -7,7 +7,7 @@ from .. import library
 from ..blender.lines import result_objects
 from ..blender.look import material
 from ..language import counted, label
-from .common import write_sentence
+from .common import enum_name, write_sentence
 from .field.presets_panel import DIRICHLET_PT_presets
 from .lines.line_layout import draw_line_settings, draw_lock, properties
 from .patches.lists import draw_patch_list
@@ -127,6 +127,7 @@ class DIRICHLET_PT_field_options(_Panel, bpy.types.Panel):
     def draw(self, context):
         layout, obj = self.layout, context.active_object
         column = properties(layout)
+        column.prop(obj.dirichlet, "laplacian")
         column.prop(obj.dirichlet, "method")
         column.prop(obj.dirichlet, "use_modifiers")
         layout.operator("dirichlet.update_colors", icon="FILE_REFRESH")
@@ -166,6 +167,7 @@ class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
             (label("Vertices"), f"{results.vertices:,}"),
             (label("Painted"), f"{results.painted:,}"),
             (label("Unknowns"), f"{results.unknowns:,}"),
+            (label("Laplacian"), label(enum_name(results, "laplacian"))),
             (label("Residual"), f"{results.residual:.1e}"),
             (label("Field"), label("{low:.6g} to {high:.6g}", low=results.minimum, high=results.maximum)),
         ]
@@ -180,7 +182,8 @@ class DIRICHLET_PT_results(_Panel, bpy.types.Panel):
         for name, number in rows:
             names.label(text=name, translate=False)
             numbers.label(text=number, translate=False)
-        warnings = results.field_warnings.splitlines()
+        warnings = [results.reason] if results.reason else []
+        warnings += results.field_warnings.splitlines()
         warnings += results.isoline_warnings.splitlines() if results.extracted else []
         for warning in warnings:
             write_sentence(layout, context, warning, "INFO")

@@ -15,6 +15,7 @@ from bpy.props import (
 
 from . import callbacks
 from .drawing.preview_properties import PreviewSettings
+from .field.laplacians import LAPLACIANS
 from .lines.line_properties import LineSettings
 from .result_properties import DirichletResults
 
@@ -111,6 +112,12 @@ class DirichletSettings(LineSettings, PreviewSettings, bpy.types.PropertyGroup):
         options={"SKIP_SAVE"},  # Disc Size is what meshes of other sizes take
         get=callbacks.get_disc_radius,
         set=callbacks.set_disc_radius,
+    )
+    laplacian: EnumProperty(
+        name="Laplacian",
+        description="What the field is smooth by: by which vertices are neighbors alone, or by the shape of the faces",
+        items=LAPLACIANS,
+        update=callbacks.painting_changed,
     )
     method: EnumProperty(
         name="Method",

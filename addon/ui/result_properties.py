@@ -2,7 +2,9 @@
 """What the last runs measured, kept with the object for the panel and for scripts."""
 
 import bpy
-from bpy.props import BoolProperty, FloatProperty, IntProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
+
+from .field.laplacians import LAPLACIANS
 
 
 class DirichletResults(bpy.types.PropertyGroup):
@@ -12,6 +14,10 @@ class DirichletResults(bpy.types.PropertyGroup):
     vertices: IntProperty(name="Vertices", description="Vertices of the mesh")
     painted: IntProperty(name="Painted", description="Vertices with a prescribed value")
     unknowns: IntProperty(name="Unknowns", description="Free vertices, whose values were solved for")
+    laplacian: EnumProperty(
+        name="Laplacian", description="The Laplacian solved with, never the automatic one", items=LAPLACIANS
+    )
+    reason: StringProperty(name="Reason", description="Why the automatic choice took that Laplacian")
     undefined: IntProperty(
         name="Undefined", description="Vertices of pieces without paint: NaN in the field, grey in the picture"
     )
@@ -27,7 +33,8 @@ class DirichletResults(bpy.types.PropertyGroup):
         name="Solver", description="Milliseconds for Laplacian, analysis, injection, factorisation and solve together"
     )
     fingerprint: StringProperty(
-        name="Fingerprint", description="Of the painting that was solved for: tells whether the patches changed since"
+        name="Fingerprint",
+        description="Of what was solved for: tells whether patches, Laplacian or shape changed since",
     )
     problem: StringProperty(name="Problem", description="Why the field or its lines could not follow the last change")
     field_warnings: StringProperty(name="Field Warnings", description="Warnings of the last solve, one a line")

@@ -31,10 +31,10 @@ def painted(addon, monkeypatch, grid_live):
     session = importlib.import_module(f"{addon.__name__}.blender.mesh.sessions").Session
     paint_now, painted = session.paint, []
 
-    def slow_paint(self, painting, options):
+    def slow_paint(self, painting, *how):
         painted.append(len(painting.vertices))
         time.sleep(0.05)
-        return paint_now(self, painting, options)
+        return paint_now(self, painting, *how)
 
     monkeypatch.setattr(session, "paint", slow_paint)
     return painted

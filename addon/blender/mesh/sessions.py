@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The library's mesh and solver of the Blender meshes in use, so that a stroke costs no more than what it changed.
 
-A session holds as long as the mesh's faces are exactly those it was made of. It is found by the mesh's address, which
+A session holds as long as the mesh's faces are exactly those it was made of; its solver too, and where the Laplacian
+sees positions, as long as those are the same. It is found by the mesh's address, which
 survives renaming; whether it fits is decided by the arrays alone, so nothing has to tell it of edits, undo or loading.
 """
 
@@ -32,20 +33,30 @@ class Session:
         self._lock = Lock()
         self._token: Any = library.load().CancelToken()
         self._stopped = False
+        self._deformed: Any = None
         self._solver: Any = None
-        self._options: dict[str, Any] | None = None
+        self._made_of: tuple[dict[str, Any], Any] | None = None  # the solver: options, and the mesh where it counts
 
-    def paint(self, painting: Any, options: dict[str, Any]) -> tuple[NDArray[np.float64], Any]:
+    def deformed(self, positions: NDArray[np.float64]) -> Any:
+        """The library's Mesh with the vertices elsewhere (V, 3), the same one for the same positions."""
+        if self._deformed is None or not np.array_equal(self._deformed.positions, positions):
+            self._deformed = library.load().Mesh(positions, (self.arrays.offsets, self.arrays.corners))
+        return self._deformed
+
+    def paint(self, painting: Any, options: dict[str, Any], surface: Any = None) -> tuple[NDArray[np.float64], Any]:
         """Values (V,) and report of the library's HarmonicSolver with these options, which is kept for the next
-        painting. Raises what HarmonicSolver and its `paint` raise. For any thread; one call waits for the other."""
+        painting. surface: the library's Mesh of these faces to solve on, this session's if nothing is said. Raises
+        what HarmonicSolver and its `paint` raise. For any thread; one call waits for the other."""
+        surface = surface or self.mesh
+        made_of = options, None if sees_no_positions(options) else surface
         with self._lock:
             self._token.reset()
             if self._stopped:
                 self._token.cancel()
-            if self._options != options:
-                self._solver = self._options = None  # first: a factor is the largest thing there is
-                self._solver = library.load().HarmonicSolver(self.mesh, **options, cancel=self._token)
-                self._options = options
+            if self._made_of != made_of:
+                self._solver = self._made_of = None  # first: a factor is the largest thing there is
+                self._solver = library.load().HarmonicSolver(surface, **options, cancel=self._token)
+                self._made_of = made_of
             values = self._solver.paint(painting.vertices, painting.values)
             return values, self._solver.report
 
@@ -59,13 +70,18 @@ class Session:
         self._token.cancel()
 
     def follow(self, arrays: meshes.Arrays) -> bool:
-        """Whether these are its faces; then it takes the positions, of which the equations know nothing."""
+        """Whether these are its faces; then it takes the positions."""
         if not self.arrays.same_faces(arrays):
             return False
         if not np.array_equal(self.arrays.positions, arrays.positions):
             self.mesh = meshes.build(arrays)
         self.arrays = arrays
         return True
+
+
+def sees_no_positions(options: dict[str, Any]) -> bool:
+    """Whether the Laplacian knows the vertices by their neighbours alone."""
+    return options.get("laplacian", "graph") == "graph"
 
 
 def open_session(obj: bpy.types.Object) -> Session:
