@@ -11,15 +11,21 @@ from __future__ import annotations
 from math import log2
 
 _CONNECTIVITY, _ITERATIVE, _FACTOR = 160, 420, 70
+_STORED = 20  # for a number of the factor, with what makes strokes quick
 
 
 def of_lines(vertices: int) -> float:
     return _CONNECTIVITY * vertices
 
 
-def of_field(vertices: int, method: str, budget: int | None) -> float:
-    """method: of Object.dirichlet; budget: bytes that the automatic one keeps to, nothing for as many as it likes."""
+def of_solver(vertices: int, factor_nonzeros: int) -> float:
+    """What a solver holds beside the connectivity, given the numbers that its factor has stored; none: multigrid."""
+    return _STORED * factor_nonzeros if factor_nonzeros else (_ITERATIVE - _CONNECTIVITY) * vertices
+
+
+def of_field(vertices: int, method: str, memory_budget: int | None) -> float:
+    """method: of Object.dirichlet; memory_budget: bytes that the automatic one keeps to, None for any."""
     iterative, direct = _ITERATIVE * vertices, _FACTOR * vertices * log2(max(vertices, 2))
     if method in ("multigrid", "lscg"):
         return iterative
-    return min(direct, max(budget, iterative)) if method == "auto" and budget else direct
+    return min(direct, max(memory_budget, iterative)) if method == "auto" and memory_budget else direct

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import bpy
@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
-from . import freshness, preferences, results
+from . import expected_memory, freshness, preferences, results
 from .look import looks, material, ramp
 from .mesh import attributes, meshes, surfaces
-from .mesh.sessions import Session, open_session
+from .mesh.sessions import Session, make_room, open_session
 from .paint import painting
 from .stopwatch import Stopwatch
 
@@ -30,6 +30,11 @@ class FieldTask:
     options: dict[str, Any]  # of the library's HarmonicSolver
     table: ramp.ColorTable | None  # nothing before there is a ramp: `write` makes one
     clock: Stopwatch
+    cancel: Any = field(default_factory=lambda: library.load().CancelToken())
+
+    def interrupt(self) -> None:
+        """Ends `compute` by the library's CancelledError, also before it has begun."""
+        self.session.interrupt(self.cancel)
 
     def fingerprint(self) -> str:
         return freshness.fingerprint(self.options["laplacian"], self.surface, self.painting)
@@ -37,7 +42,7 @@ class FieldTask:
     def compute(self) -> FieldOutcome:
         """Raises what HarmonicSolver and its `paint` raise."""
         self.clock.restart()
-        values, report = self.session.paint(self.painting, self.options, self.surface)
+        values, report = self.session.paint(self.painting, self.options, self.surface, self.cancel)
         self.clock.lap("solve")
         shown = values.astype(np.float32)
         ends = ramp.limits(shown)
@@ -69,13 +74,15 @@ class FieldResult:
     fingerprint: str  # see freshness.py
 
 
-def read(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = None) -> FieldTask:
-    """depsgraph: that of a handler. Raises the library's InputError and TopologyError, naming what is wrong
-    with the object."""
+def read(
+    obj: bpy.types.Object, *, session: Session | None = None, depsgraph: bpy.types.Depsgraph | None = None
+) -> FieldTask:
+    """session: the object's, if it is open; depsgraph: that of a handler. Raises the library's InputError and
+    TopologyError, naming what is wrong with the object."""
     clock = Stopwatch()
     meshes.require_mesh(obj)
     attributes.require_names(obj)
-    session = open_session(obj)
+    session = session or open_session(obj)
     surface = surfaces.read(obj, session, depsgraph)
     clock.lap("read")
     patches = painting.read_patches(obj, depsgraph)
@@ -83,7 +90,10 @@ def read(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = None) ->
     clock.lap("paint")
     table = ramp.read_table(obj) if material.find_ramp(obj) else None
     clock.lap("read")
-    return FieldTask(session, surface, patches, painted, _options(obj.dirichlet), table, clock)
+    options = _options(obj.dirichlet)
+    size, method, budget = len(session.arrays.positions), options["method"], options["memory_budget"]
+    make_room(session, expected_memory.of_field(size, method, budget))
+    return FieldTask(session, surface, patches, painted, options, table, clock)
 
 
 def _options(settings: bpy.types.PropertyGroup) -> dict[str, Any]:

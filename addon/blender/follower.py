@@ -51,6 +51,17 @@ class _Work(NamedTuple):
     lines: dict[int, line_task.LineTask]  # by the address of the result; _PREVIEW: those shown alone
     values: NDArray[np.float32] | None  # (V,) for the lines, unless they are of the new field
 
+    @property
+    def aim(self) -> Change:
+        """What of it must not be out of date, lest all of it is."""
+        return Change.FIELD if self.field else Change.LINES
+
+    def interrupt(self) -> None:
+        """Ends `compute`, whose result nobody wants any more."""
+        for task in (self.field, *self.lines.values()):
+            if task:
+                task.interrupt()
+
     def compute(self) -> tuple[field_task.FieldOutcome | None, dict[int, line_task.LineOutcome], str]:
         """Field, lines, and why some are missing: levels that cannot be had hold neither field nor other lines back."""
         field, lines, problem = self.field.compute() if self.field else None, {}, ""
@@ -82,8 +93,8 @@ class Follower:
         self.noted = perf_counter()
         if Change.FIELD in what:
             self.resting = resting
-            if self.is_computing() and self._work and self._work.field:
-                self._work.field.session.interrupt()  # a newer painting is there
+        if self._work and self._work.aim in what and self.is_computing():
+            self._work.interrupt()  # something newer is there
 
     def wait(self, seconds: float) -> None:
         """For a thread just begun, which is so quick as a rule that the change and what follows it are drawn together:
@@ -131,7 +142,7 @@ class Follower:
         if not self.job:
             return
         job, work, self.job = self.job, self._work, None
-        aim = Change.FIELD if work and work.field else Change.LINES
+        aim = work.aim if work else Change.LINES
         if self.pending & aim or aim not in still or not self._fits(obj):
             return
         problem = ""
@@ -150,7 +161,7 @@ class Follower:
         return self.held.fits(obj) if self._unwatched else obj.mode != "EDIT"
 
     def _read(self, obj: bpy.types.Object, what: Change, depsgraph: bpy.types.Depsgraph | None) -> _Work:
-        field = field_task.read(obj, depsgraph) if Change.FIELD in what else None
+        field = field_task.read(obj, depsgraph=depsgraph) if Change.FIELD in what else None
         if not field and not attributes.has_field(obj.data):
             self.preview = None
             return _Work(None, None, {}, None)
@@ -167,7 +178,8 @@ class Follower:
         self.seconds = {"wait": self._begun - self.noted}
         if field:
             if len(obj.data.vertices) <= _INSPECTED:
-                patches.record_facts(obj, field.task.session.mesh, field.task.patches)
+                painted = field.task.patches
+                patches.record_facts(obj, painted, patches.inspect(field.task.session.mesh, painted))
             field_task.write(obj, field, cover=False)
             self.seconds |= field.task.clock.laps
         bound = result_objects.find_unlocked(obj)

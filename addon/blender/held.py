@@ -15,7 +15,7 @@ class Held:
 
     def __init__(self, obj: bpy.types.Object) -> None:
         self.name = obj.name  # when last seen
-        self._address = obj.as_pointer()
+        self._address, self._type = obj.as_pointer(), obj.type
         self._arrays: meshes.Arrays | None = None
 
     def now(self) -> bpy.types.Object | None:
@@ -23,7 +23,7 @@ class Held:
         obj = bpy.data.objects.get((self.name, None))
         if obj is None or obj.as_pointer() != self._address:
             obj = next((obj for obj in bpy.data.objects if obj.as_pointer() == self._address), None)
-        if obj is None or obj.type != "MESH":  # deleted, and its address given to another
+        if obj is None or obj.type != self._type:  # deleted, and its address given to another
             return None
         self.name = obj.name
         return obj
@@ -37,12 +37,17 @@ class Held:
         return obj.mode != "EDIT" and (self._arrays is None or self._arrays.same(meshes.read_arrays(obj.data)))
 
     def find(self) -> bpy.types.Object:
-        """The object now. Raises InputError when it is gone, cannot be read now or is not what `keep` was told."""
+        """The object now. Raises InputError when it is gone."""
         obj = self.now() or bpy.data.objects.get((self.name, None))  # which undo may have put elsewhere
         if obj is None:
             raise library.load().InputError(
                 say("object '{name}' was removed while it was being worked on", name=self.name)
             )
+        return obj
+
+    def find_mesh(self) -> bpy.types.Object:
+        """The mesh object now. Raises InputError when it is gone, cannot be read now or is not what `keep` was told."""
+        obj = self.find()
         meshes.require_mesh(obj)
         if not self.fits(obj):
             raise library.load().InputError(

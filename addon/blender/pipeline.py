@@ -7,6 +7,7 @@ Plain functions for operators, scripts and tests. They raise the library's Diric
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import bpy
 
@@ -21,12 +22,17 @@ from .paint import patches
 
 def solve_field(obj: bpy.types.Object) -> FieldResult:
     """Solves between the patches of `obj.dirichlet` and writes attributes, material and `obj.dirichlet.results`."""
-    return write_field(obj, field_task.read(obj).compute())
+    return write_field(obj, *compute_field(field_task.read(obj)))
 
 
-def write_field(obj: bpy.types.Object, outcome: field_task.FieldOutcome) -> FieldResult:
+def compute_field(task: field_task.FieldTask) -> tuple[field_task.FieldOutcome, list[Any]]:
+    """The field, and the library's PatchFacts of its patches. For any thread."""
+    return task.compute(), patches.inspect(task.session.mesh, task.patches)
+
+
+def write_field(obj: bpy.types.Object, outcome: field_task.FieldOutcome, facts: list[Any]) -> FieldResult:
     """Writes a field that is computed, and what was found out about its patches."""
-    patches.record_facts(obj, outcome.task.session.mesh, outcome.task.patches)
+    patches.record_facts(obj, outcome.task.patches, facts)
     result = field_task.write(obj, outcome)
     attributes.show_colors(obj.data)
     return result
@@ -37,13 +43,6 @@ def make_isolines(obj: bpy.types.Object) -> IsolineResult:
     stays, and another is made."""
     result = result_objects.find_unlocked(obj)
     return write_isolines(obj, line_task.read(obj, result).compute(line_task.read_values(obj)), result)
-
-
-def refresh(result: bpy.types.Object) -> IsolineResult:
-    """Makes the lines of a result anew: by the settings of its mesh object if it is the bound one, else by its own."""
-    source = result_objects.require_source(result)
-    task = line_task.read(source, result)
-    return write_isolines(source, task.compute(line_task.read_values(source)), result)
 
 
 def write_isolines(

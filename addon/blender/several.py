@@ -4,10 +4,10 @@ its object, leaves every one of them as it was. Each is a work, see work.py."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import bpy
 
@@ -16,16 +16,8 @@ from ..language import counted, say
 from . import field_task, pipeline
 from .held import Held
 from .lines import line_task, result_objects
-from .mesh import meshes, sessions
-from .work import Step, Work
-
-
-class Made(NamedTuple):
-    """What was made, to be reported."""
-
-    results: list  # FieldResult or IsolineResult, one per object
-    summary: str
-    warnings: tuple[str, ...]
+from .mesh import sessions
+from .work import Made, Step, Work, stopping
 
 
 def solve_fields(objects: Sequence[bpy.types.Object]) -> Work:
@@ -35,15 +27,14 @@ def solve_fields(objects: Sequence[bpy.types.Object]) -> Work:
     held, outcomes = [Held(obj) for obj in owners], []
     for number, one in enumerate(held):
         with _naming(one.name, held):
-            task = field_task.read(one.find())
-            one.keep(task.session.arrays)
-            try:
-                outcomes.append((yield Step(one.name, (number + 0.3) / len(held), task.compute)))
-            except GeneratorExit:
-                sessions.abandon(task.session)
-                raise
-    owners = [one.find() for one in held]
-    made = [pipeline.write_field(obj, outcome) for obj, outcome in zip(owners, outcomes)]
+            session = yield from sessions.opening(one, number / len(held))
+            task = field_task.read(one.find_mesh(), session=session)
+            with stopping(task.interrupt):
+                outcomes.append(
+                    (yield Step(one.name, (number + 0.3) / len(held), partial(pipeline.compute_field, task)))
+                )
+    owners = [one.find_mesh() for one in held]
+    made = [pipeline.write_field(obj, *outcome) for obj, outcome in zip(owners, outcomes)]
     summary = _summary([result.field.report for result in made])
     return Made(made, summary, (*warnings, *_warnings(owners, made)))
 
@@ -51,16 +42,35 @@ def solve_fields(objects: Sequence[bpy.types.Object]) -> Work:
 def make_isolines(objects: Sequence[bpy.types.Object]) -> Work:
     """Draws the isolines of every object, each by its own settings; returns Made. Raises what
     `pipeline.make_isolines` raises."""
-    held, outcomes = [Held(obj) for obj in objects], []
-    for number, one in enumerate(held):
+    return _draw([(Held(obj), result_objects.find_unlocked) for obj in objects])
+
+
+def refresh(results: Sequence[bpy.types.Object]) -> Work:
+    """Makes the lines of results anew: by the settings of its mesh object if it is the bound one, else by its own;
+    returns Made. Raises InputError for one that is locked or without a mesh object, and what `make_isolines` raises."""
+    return _draw([(Held(result_objects.require_source(one)), partial(_still, Held(one))) for one in results])
+
+
+def _still(held: Held, source: bpy.types.Object) -> bpy.types.Object:
+    """The result that is held, if it may still be changed."""
+    result = held.find()
+    result_objects.require_source(result)
+    return result
+
+
+def _draw(pairs: Sequence[tuple[Held, Callable[[bpy.types.Object], bpy.types.Object | None]]]) -> Work:
+    """pairs: mesh objects, and what finds the result of each at any time; None for one that is still to be made."""
+    held, outcomes = [one for one, _ in pairs], []
+    for number, (one, find_result) in enumerate(pairs):
         with _naming(one.name, held):
-            obj = one.find()
-            task, values = line_task.read(obj, result_objects.find_unlocked(obj)), line_task.read_values(obj)
-            one.keep(meshes.read_arrays(obj.data))
-            outcomes.append((yield Step(one.name, (number + 0.3) / len(held), partial(task.compute, values))))
-    objects = [one.find() for one in held]
-    found = [result_objects.find_unlocked(obj) for obj in objects]
-    made = [pipeline.write_isolines(*one) for one in zip(objects, outcomes, found)]
+            session = yield from sessions.opening(one, number / len(held))
+            obj = one.find_mesh()
+            task, values = line_task.read(obj, find_result(obj), session=session), line_task.read_values(obj)
+            with stopping(task.interrupt):
+                outcomes.append((yield Step(one.name, (number + 0.3) / len(held), partial(task.compute, values))))
+    objects = [one.find_mesh() for one in held]
+    results = [find_result(obj) for obj, (_, find_result) in zip(objects, pairs)]
+    made = [pipeline.write_isolines(*each) for each in zip(objects, outcomes, results)]
     lines = counted(sum(len(result.lines) for result in made), "1 isoline", "{count} isolines")
     closed = sum(int(result.lines.closed.sum()) for result in made)
     summary = say("{lines} on {count} objects, {closed} closed", lines=lines, count=len(made), closed=closed)

@@ -8,8 +8,10 @@ closed before its end has changed nothing.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
-from concurrent.futures import Future
+from collections.abc import Callable, Generator, Iterator
+from concurrent.futures import Future, wait
+from contextlib import contextmanager
+from time import perf_counter
 from typing import Any, NamedTuple
 
 from . import threads
@@ -24,6 +26,24 @@ class Step(NamedTuple):
 
 
 Work = Generator[Step, Any, Any]
+
+
+class Made(NamedTuple):
+    """What was made, to be reported."""
+
+    results: list  # FieldResult or IsolineResult, one per object
+    summary: str  # or nothing, where people see it anyway
+    warnings: tuple[str, ...] = ()
+
+
+@contextmanager
+def stopping(stop: Callable[[], None]) -> Iterator[None]:
+    """Around a `yield` of a work: if that is closed meanwhile, `stop` ends what nobody waits for any more."""
+    try:
+        yield
+    except GeneratorExit:
+        stop()
+        raise
 
 
 class Background:
@@ -43,8 +63,15 @@ class Background:
             return end.value
         return None
 
+    def wait(self, seconds: float) -> Any:
+        """What `poll` returns once the work is done, or after so many seconds."""
+        end = perf_counter() + seconds
+        while (made := self.poll()) is None and perf_counter() < end:
+            wait([self._job], timeout=max(0.0, end - perf_counter()))
+        return made
+
     def stop(self) -> None:
-        """Drops what is not written yet. A step that is being computed ends by itself, for nothing."""
+        """Drops what is not written yet. The work stops the step that is being computed, or lets it end by itself."""
         self._work.close()
 
     def _start(self, step: Step) -> None:

@@ -2,9 +2,12 @@
 """What several operators and panels need."""
 
 import textwrap
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import bpy
 
+from .. import library
 from ..blender.lines.result_objects import is_result
 from ..blender.names import FIELD
 from ..language import say
@@ -55,9 +58,19 @@ def poll_field(cls: type[bpy.types.Operator], context: bpy.types.Context) -> boo
     return False
 
 
+@contextmanager
+def reporting(operator: bpy.types.Operator) -> Iterator[None]:
+    """Reports a refusal as an error. Behind it, where nothing but a refusal leads, the operator is cancelled."""
+    try:
+        yield
+    except library.refusals() as error:
+        operator.report({"ERROR"}, str(error))
+
+
 def report_made(operator: bpy.types.Operator, made) -> set[str]:
     """Reports summary and warnings of what was made; what the operator's execute returns."""
-    operator.report({"INFO"}, made.summary)
+    if made.summary:
+        operator.report({"INFO"}, made.summary)
     for warning in made.warnings:
         operator.report({"WARNING"}, warning)
     return {"FINISHED"}

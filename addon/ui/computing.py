@@ -6,18 +6,18 @@ from time import perf_counter
 import bpy
 from bpy.props import BoolProperty, IntProperty, StringProperty
 
-from .. import library
 from ..blender import preferences
 from ..language import label
-from .common import report_made
+from .common import report_made, reporting
 
 _SLOW = 50_000  # vertices from which an operator may take half a second
+_PATIENCE = 0.3  # seconds that Blender waits for what may be quick after all
 _TICK = 0.1  # seconds between looks at the other thread
 _LOOKING_AROUND = ("MIDDLEMOUSE", "WHEEL", "MOUSEMOVE", "TRACKPAD", "NDOF", "WINDOW", "TIMER")  # how events begin
 
 
 class Computing:
-    """Makes something of the chosen meshes: at once when executed; when invoked, large meshes are worked on beside the
+    """Works on the chosen objects: at once when executed; when invoked, large meshes are worked on beside the
     interface, and very large ones only when that has been agreed to."""
 
     confirmed: BoolProperty(
@@ -26,15 +26,20 @@ class Computing:
     _background = None
 
     def choose(self, context):
-        """The mesh objects to work on."""
-        raise NotImplementedError
+        """The objects to work on."""
+        return [context.active_object]
 
     def begin(self, objects):
-        """The work, as blender.work has it; it returns blender.several.Made."""
+        """The work, as blender.work has it; what it returns goes to `finish`."""
         raise NotImplementedError
 
+    def sources(self, objects):
+        """The mesh objects that these depend on."""
+        return objects
+
     def expected_bytes(self, objects) -> float:
-        raise NotImplementedError
+        """To be agreed to where the mesh is very large; 0: that is not asked."""
+        return 0.0
 
     def is_slow(self, objects) -> bool:
         """Whether they take long though they are small."""
@@ -49,25 +54,28 @@ class Computing:
         manager = context.window_manager
         manager.progress_begin(0, 1)
         try:
-            made = work.run(self.begin(self.choose(context)), manager.progress_update)
-        except library.refusals() as error:
-            return self._refuse(error)
+            with reporting(self):
+                return self.finish(context, work.run(self.begin(self.choose(context)), manager.progress_update))
         finally:
             manager.progress_end()
-        return self.finish(context, made)
+        return {"CANCELLED"}
 
     def invoke(self, context, event):
-        objects = self.choose(context)
-        vertices = sum(len(mesh.vertices) for mesh in {obj.data for obj in objects})
-        if bpy.app.background or not (vertices >= _SLOW or self.is_slow(objects)):
+        return self.work_on(context, self.choose(context))
+
+    def work_on(self, context, objects):
+        """For `invoke`, and what people did in a window after it."""
+        sources = self.sources(objects)
+        vertices = sum(len(mesh.vertices) for mesh in {obj.data for obj in sources})
+        if bpy.app.background or not (vertices >= _SLOW or self.is_slow(sources)):
             return self.execute(context)
-        if vertices >= preferences.get().ask_vertices and not self.confirmed:
-            memory = round(self.expected_bytes(objects) / 1e6)
+        memory = 0 if self.confirmed else round(self.expected_bytes(sources) / 1e6)
+        if vertices >= preferences.get().ask_vertices and memory:
             bpy.ops.dirichlet.ask_first(
                 "INVOKE_DEFAULT", asking=type(self).bl_idname.partition(".")[2], vertices=vertices, memory=memory
             )
             return {"CANCELLED"}
-        return self._start(context, objects)
+        return self.start(context, objects)
 
     def modal(self, context, event):
         if event.type == "ESC" and event.value == "PRESS":
@@ -76,42 +84,52 @@ class Computing:
             return {"CANCELLED"}
         if event.type != "TIMER":
             return {"PASS_THROUGH"} if event.type.startswith(_LOOKING_AROUND) else {"RUNNING_MODAL"}
-        going = False
-        try:
-            made = self._background.poll()
-            going = made is None
-        except library.refusals() as error:
-            return self._refuse(error)
-        finally:
-            if not going:
-                self.cancel(context)
-        if going:
-            self._show_progress(context)
-            return {"PASS_THROUGH"}
-        return self.finish(context, made)
+        return self.look(context) or {"PASS_THROUGH"}
 
     def cancel(self, context):
         """Ends the work beside the interface; Blender calls it too, when it closes the file."""
-        self._background.stop()
+        background, self._background = self._background, None
+        background.stop()
         context.window_manager.event_timer_remove(self._timer)
         context.window_manager.progress_end()
         if context.workspace:
             context.workspace.status_text_set(None)
 
-    def _start(self, context, objects):
+    def look(self, context):
+        """What the operator returns now that its work has ended; nothing while it goes on."""
+        made, going = None, False
+        try:
+            with reporting(self):
+                made = self._background.poll()
+                going = made is None
+        finally:
+            if not going:
+                self.cancel(context)
+        if going:
+            self._show_progress(context)
+            return None
+        return {"CANCELLED"} if made is None else self.finish(context, made)
+
+    def start(self, context, objects):
+        """Works beside the interface, unless it is done before anybody notices."""
         from ..blender import work
 
-        try:
-            self._background = work.Background(self.begin(objects))
-        except library.refusals() as error:
-            return self._refuse(error)
+        with reporting(self):
+            background = work.Background(self.begin(objects))
+            made = background.wait(_PATIENCE)
+            if made is not None:
+                return self.finish(context, made)
+            self._watch(context, background)
+            return {"RUNNING_MODAL"}
+        return {"CANCELLED"}
+
+    def _watch(self, context, background) -> None:
         manager = context.window_manager
         manager.progress_begin(0, 1)
+        self._background, self._begun = background, perf_counter()
         self._timer = manager.event_timer_add(_TICK, window=context.window)
-        self._begun = perf_counter()
         manager.modal_handler_add(self)
         self._show_progress(context)
-        return {"RUNNING_MODAL"}
 
     def _show_progress(self, context):
         step, seconds = self._background.step, perf_counter() - self._begun
@@ -119,10 +137,6 @@ class Computing:
         what = bpy.app.translations.pgettext_iface(self.bl_label, "Operator")
         text = label("{what}: {name}, {seconds:.0f} s     Esc: Cancel", what=what, name=step.name, seconds=seconds)
         context.workspace.status_text_set(text)
-
-    def _refuse(self, error):
-        self.report({"ERROR"}, str(error))
-        return {"CANCELLED"}
 
 
 class DIRICHLET_OT_ask_first(bpy.types.Operator):

@@ -3,6 +3,7 @@
 
 #include "bindings.h"
 #include "dirichlet/build_information.h"
+#include "dirichlet/solver.h"
 
 namespace dirichlet::bindings {
 
@@ -14,6 +15,7 @@ void bind_build(pybind11::module_& module) {
     result["pybind11"] = std::to_string(PYBIND11_VERSION_MAJOR) + '.' + std::to_string(PYBIND11_VERSION_MINOR);
     return result;
   });
+  module.def("default_memory_budget", &default_memory_budget);
   module.def("set_thread_limit", &set_thread_limit, py::arg("count"));
 }
 

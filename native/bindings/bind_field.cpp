@@ -55,13 +55,13 @@ std::unique_ptr<HarmonicSolver> make(const Mesh& mesh, const std::optional<Array
                                      const std::string& laplacian, const std::string& method,
                                      const std::string& precision, std::optional<std::int64_t> memory_budget,
                                      std::optional<double> tolerance, std::optional<Index> max_iterations,
-                                     const std::optional<CancelToken>& cancel) {
+                                     const CancelToken& cancel) {
   const SolverOptions options{named<Method>(kMethods, method),
                               named<Precision>(kPrecisions, precision),
                               memory_budget,
                               tolerance,
                               max_iterations,
-                              cancel.value_or(CancelToken())};
+                              cancel};
   const auto kind = named<Laplacian>(kLaplacians, laplacian);
   const std::vector<Index> vertices = painted ? copy(*painted) : std::vector<Index>{};
   const py::gil_scoped_release release;

@@ -8,11 +8,12 @@
 namespace dirichlet::bindings {
 namespace {
 
-py::tuple disc(const Mesh& mesh, const std::array<double, 3>& point, double radius, std::optional<Index> face) {
+py::tuple disc(const Mesh& mesh, const std::array<double, 3>& point, double radius, std::optional<Index> face,
+               const CancelToken& cancel) {
   GeodesicDisc disc;
   {
     const py::gil_scoped_release release;
-    disc = geodesic_disc(mesh, point, radius, face);
+    disc = geodesic_disc(mesh, point, radius, face, cancel);
   }
   return py::make_tuple(to_numpy(std::move(disc.vertices)), to_numpy(std::move(disc.distances)));
 }
@@ -20,7 +21,8 @@ py::tuple disc(const Mesh& mesh, const std::array<double, 3>& point, double radi
 } // namespace
 
 void bind_geodesic(py::module_& module) {
-  module.def("geodesic_disc", &disc, py::arg("mesh"), py::arg("point"), py::arg("radius"), py::arg("face"));
+  module.def("geodesic_disc", &disc, py::arg("mesh"), py::arg("point"), py::arg("radius"), py::arg("face"),
+             py::arg("cancel"));
 }
 
 } // namespace dirichlet::bindings

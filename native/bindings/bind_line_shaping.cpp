@@ -22,14 +22,14 @@ void bind_line_shaping(py::module_& module) {
   module.def("keep_long", [](const LineArrays& arrays, double least) {
     return shaped(arrays, [=](const Isolines& lines) { return keep_long(lines, least); });
   });
-  module.def("smooth_lines", [](const Mesh& mesh, const LineArrays& arrays, Index steps) {
-    return shaped(arrays, [&](Isolines&& lines) { return smooth_lines(mesh, std::move(lines), steps); });
+  module.def("smooth_lines", [](const Mesh& mesh, const LineArrays& arrays, Index steps, const CancelToken& cancel) {
+    return shaped(arrays, [&](Isolines&& lines) { return smooth_lines(mesh, std::move(lines), steps, cancel); });
   });
-  module.def("simplify_lines", [](const LineArrays& arrays, double tolerance) {
-    return shaped(arrays, [=](const Isolines& lines) { return simplify_lines(lines, tolerance); });
+  module.def("simplify_lines", [](const LineArrays& arrays, double tolerance, const CancelToken& cancel) {
+    return shaped(arrays, [&](const Isolines& lines) { return simplify_lines(lines, tolerance, cancel); });
   });
-  module.def("resample_lines", [](const LineArrays& arrays, double spacing) {
-    return shaped(arrays, [=](const Isolines& lines) { return resample_lines(lines, spacing); });
+  module.def("resample_lines", [](const LineArrays& arrays, double spacing, const CancelToken& cancel) {
+    return shaped(arrays, [&](const Isolines& lines) { return resample_lines(lines, spacing, cancel); });
   });
   module.def("move_lines", [](const LineArrays& arrays, const Array<double>& positions) {
     const auto places = view(positions);

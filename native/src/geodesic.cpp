@@ -82,10 +82,12 @@ class Front {
     for (std::size_t i = 0; i < 3; ++i) leave(corner[i], corner[(i + 1) % 3]);
   }
 
-  GeodesicDisc within(double radius) {
+  GeodesicDisc within(double radius, const CancelToken& cancel) {
     radius *= scale_;
     double edge = 0; // the longest in the disc: a vertex that is so much farther may still say how far one inside is
-    while (!queue_.empty()) {
+    constexpr std::size_t kSteps = 1 << 10; // between looks at the token
+    for (std::size_t step = 0; !queue_.empty(); ++step) {
+      if (step % kSteps == 0) cancel.check();
       const auto [distance, i] = queue_.top();
       queue_.pop();
       if (distance > places_[at(i)].distance) continue; // it was reached on a shorter way
@@ -211,14 +213,14 @@ std::pair<Index, Index> triangles_of(const Mesh& mesh, Index face) {
 } // namespace
 
 GeodesicDisc geodesic_disc(const Mesh& mesh, const std::array<double, 3>& point, double radius,
-                           std::optional<Index> face) {
+                           std::optional<Index> face, const CancelToken& cancel) {
   for (const double x : point)
     if (!std::isfinite(x)) throw InputError(message("the point has the coordinate ", x, ", which is not finite"));
   if (!(radius >= 0)) throw InputError(message("the radius is ", radius, ", but has to be 0 or more"));
   const Mesh& triangles = mesh.triangulated();
-  if (!face) return Front(triangles, closest_point(triangles, point)).within(radius);
+  if (!face) return Front(triangles, closest_point(triangles, point)).within(radius, cancel);
   const auto [first, last] = triangles_of(mesh, *face);
-  return Front(triangles, closest_point(triangles, point, first, last)).within(radius);
+  return Front(triangles, closest_point(triangles, point, first, last)).within(radius, cancel);
 }
 
 } // namespace dirichlet

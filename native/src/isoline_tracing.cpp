@@ -27,9 +27,10 @@ Range level_range(std::span<const Index> corners, std::span<const Index> numbers
 /// Adds the triangles of [begin, end) that any level crosses. Without a branch, which one triangle in ten would
 /// mispredict: each is written down, and the next overwrites those that do not count.
 void add_active(std::span<const Index> corners, std::span<const Index> numbers, std::size_t begin, std::size_t end,
-                Buffer<Index>& active) {
+                const CancelToken& cancel, Buffer<Index>& active) {
   std::array<Index, 1024> block; // NOLINT(cppcoreguidelines-pro-type-member-init): written before it is read
   while (begin < end) {
+    cancel.check();
     const std::size_t stop = std::min(end, begin + block.size());
     std::size_t count = 0;
     for (; begin < stop; ++begin) {
@@ -42,10 +43,11 @@ void add_active(std::span<const Index> corners, std::span<const Index> numbers, 
 }
 
 /// The triangles that any level crosses, ascending.
-Buffer<Index> active_triangles(std::span<const Index> corners, std::span<const Index> numbers) {
+Buffer<Index> active_triangles(std::span<const Index> corners, std::span<const Index> numbers,
+                               const CancelToken& cancel) {
   constexpr std::size_t kGrain = 1 << 16;
   return parallel_collect<Index>(corners.size() / 3, kGrain, [&](std::size_t begin, std::size_t end, auto& active) {
-    add_active(corners, numbers, begin, end, active);
+    add_active(corners, numbers, begin, end, cancel, active);
   });
 }
 
@@ -60,10 +62,10 @@ struct Crossings {
 };
 
 /// Crossings are numbered by triangle, then by level.
-Crossings number_crossings(std::span<const Index> corners, std::span<const Index> numbers) {
+Crossings number_crossings(std::span<const Index> corners, std::span<const Index> numbers, const CancelToken& cancel) {
   constexpr std::int64_t kMost = (std::int64_t{1} << 30) - 1; // two ends each, or points, are counted in 32 bits
   Crossings crossings;
-  crossings.active = active_triangles(corners, numbers);
+  crossings.active = active_triangles(corners, numbers, cancel);
   crossings.base.resize(corners.size() / 3);
   std::int64_t total = 0;
   for (const Index f : crossings.active) {
@@ -135,7 +137,8 @@ class CrossingLinker {
 /// Joins crossings to lines.
 class LineTracer {
  public:
-  explicit LineTracer(const Crossings& crossings) : crossings_(crossings), visited_(crossings.level.size(), 0) {
+  LineTracer(const Crossings& crossings, const CancelToken& cancel)
+      : crossings_(crossings), cancel_(cancel), visited_(crossings.level.size(), 0) {
     traces_.half_edges.reserve(crossings.level.size());
   }
 
@@ -160,7 +163,9 @@ class LineTracer {
 
   /// Leaves a triangle by `end` and goes on. \returns whether the line came back to where it began.
   bool walk(Index end) {
+    constexpr std::size_t kSteps = 1 << 16; // between looks at the token
     while (true) {
+      if (traces_.half_edges.size() % kSteps == 0) cancel_.check();
       traces_.half_edges.push_back(crossings_.half_edge[at(end)]);
       const Index entered = crossings_.across[at(end)];
       if (entered < 0) return false;
@@ -171,20 +176,24 @@ class LineTracer {
   }
 
   const Crossings& crossings_;
+  const CancelToken& cancel_;
   std::vector<std::uint8_t> visited_;
   Traces traces_;
 };
 
 } // namespace
 
-Traces trace_lines(const Mesh& mesh, std::span<const Index> numbers) {
-  Crossings crossings = number_crossings(mesh.triangulated().corners(), numbers);
+Traces trace_lines(const Mesh& mesh, std::span<const Index> numbers, const CancelToken& cancel) {
+  Crossings crossings = number_crossings(mesh.triangulated().corners(), numbers, cancel);
   CrossingLinker linker(mesh, numbers, crossings);
   constexpr std::size_t kGrain = 1 << 12; // triangles that a thread is worth
   parallel_chunks(crossings.active.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) linker.link(crossings.active[i]);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i % kGrain == 0) cancel.check();
+      linker.link(crossings.active[i]);
+    }
   });
-  return LineTracer(crossings).trace();
+  return LineTracer(crossings, cancel).trace();
 }
 
 } // namespace dirichlet

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dirichlet/buffer.h"
+#include "dirichlet/cancel.h"
 #include "dirichlet/mesh.h"
 #include "level_numbers.h"
 
@@ -28,6 +29,6 @@ struct Traces {
 /// The lines of all levels over mesh.triangulated(). All triangles are looked at once, in order, and where a line goes
 /// on is found there and then: following lines through a large mesh would wait for memory at every step.
 /// \throws InputError  2^30 crossings of triangles and levels or more. Cost: O(T + crossings).
-Traces trace_lines(const Mesh& mesh, std::span<const Index> numbers);
+Traces trace_lines(const Mesh& mesh, std::span<const Index> numbers, const CancelToken& cancel);
 
 } // namespace dirichlet

@@ -167,11 +167,12 @@ void close_gaps(Isolines& lines, std::span<const Index> counts) {
 
 } // namespace
 
-Isolines extract_isolines(const Mesh& mesh, std::span<const double> field, std::span<const double> levels) {
+Isolines extract_isolines(const Mesh& mesh, std::span<const double> field, std::span<const double> levels,
+                          const CancelToken& cancel) {
   check_field(field, mesh.vertex_count());
   const SortedLevels sorted = sort_levels(levels);
   const Mesh& triangles = mesh.triangulated();
-  const Traces traces = trace_lines(mesh, level_numbers(field, sorted.values));
+  const Traces traces = trace_lines(mesh, level_numbers(field, sorted.values), cancel);
 
   std::vector<Index> order(traces.level.size()); // of the levels as the caller has them
   std::iota(order.begin(), order.end(), Index{0});
@@ -185,6 +186,7 @@ Isolines extract_isolines(const Mesh& mesh, std::span<const double> field, std::
   const std::size_t grain = order.size() * kPoints / std::max<std::size_t>(1, traces.half_edges.size()) + 1;
   parallel_chunks(order.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      cancel.check();
       const std::size_t l = at(order[i]);
       const std::span<const Index> half_edges(traces.half_edges.data() + traces.offsets[l],
                                               traces.half_edges.data() + traces.offsets[l + 1]);

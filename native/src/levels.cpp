@@ -165,9 +165,11 @@ std::vector<double> stepped_levels(double low, double high, double step, double 
 }
 
 std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> field, Index count,
-                                      std::optional<double> low, std::optional<double> high) {
+                                      std::optional<double> low, std::optional<double> high,
+                                      const CancelToken& cancel) {
   const Window window = open_window(mesh, field, count, low, high);
-  const std::vector<double> samples = sample(window), areas = measure_strips(window.triangles, field, samples).area;
+  const std::vector<double> samples = sample(window),
+                            areas = measure_strips(window.triangles, field, samples, cancel).area;
   std::vector<Bracket> brackets;
   for (const auto& [j, goal] : equal_steps(areas, count))
     brackets.push_back({samples[j - 1], samples[j], areas[j - 1], areas[j], goal});
@@ -181,7 +183,7 @@ std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> 
           pass % 3 == 2 ? std::midpoint(b.low, b.high) : interpolate(b.low, b.high, b.area_low, b.area_high, b.goal);
       return before = std::clamp(std::max(level, before), b.low, b.high);
     });
-    const Strips strips = measure_strips(window.triangles, field, levels);
+    const Strips strips = measure_strips(window.triangles, field, levels, cancel);
     bool done = true;
     for (std::size_t k = 0; k < levels.size(); ++k) {
       Bracket& bracket = brackets[k];
@@ -202,10 +204,11 @@ std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> 
 }
 
 std::vector<double> equal_distance_levels(const Mesh& mesh, std::span<const double> field, Index count,
-                                          std::optional<double> low, std::optional<double> high) {
+                                          std::optional<double> low, std::optional<double> high,
+                                          const CancelToken& cancel) {
   const Window window = open_window(mesh, field, count, low, high);
   const std::vector<double> samples = sample(window);
-  const Strips strips = measure_strips(window.triangles, field, samples);
+  const Strips strips = measure_strips(window.triangles, field, samples, cancel);
   std::vector<double> advance{0}; // of the lines, on average, from the window's lower end
   for (std::size_t j = 1; j < samples.size(); ++j) {
     const double area = strips.area[j] - strips.area[j - 1], length = (strips.after[j - 1] + strips.before[j]) / 2;

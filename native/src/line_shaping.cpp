@@ -51,14 +51,17 @@ Isolines part_of(const Isolines& lines, std::span<const Index> points, std::vect
 }
 
 template <class F>
-void for_lines(const Isolines& lines, const F& f) {
+void for_lines(const Isolines& lines, const CancelToken& cancel, const F& f) {
   parallel_chunks(lines.closed.size(), kLineGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t l = begin; l < end; ++l) f(l);
+    for (std::size_t l = begin; l < end; ++l) {
+      cancel.check();
+      f(l);
+    }
   });
 }
 
-void measure_all(Isolines& lines) {
-  for_lines(lines, [&](std::size_t l) { lines.length[l] = measure(lines, l); });
+void measure_all(Isolines& lines, const CancelToken& cancel = {}) {
+  for_lines(lines, cancel, [&](std::size_t l) { lines.length[l] = measure(lines, l); });
 }
 
 /// How many segments a line is to have.
@@ -102,23 +105,23 @@ Isolines keep_long(const Isolines& lines, double least) {
   return part_of(lines, points, std::move(offsets), numbers);
 }
 
-Isolines smooth_lines(const Mesh& mesh, Isolines lines, Index steps) {
+Isolines smooth_lines(const Mesh& mesh, Isolines lines, Index steps, const CancelToken& cancel) {
   constexpr Index kMostSteps = 10'000;
   if (steps < 0 || steps > kMostSteps)
     throw InputError(message("the number of steps is ", steps, ", but has to be from 0 to ", kMostSteps));
   check_edges(lines, mesh.vertex_count());
   if (steps == 0) return lines;
   const LineSmoother smoother(mesh.positions(), lines);
-  for_lines(lines, [&](std::size_t l) { smoother.smooth(l, steps, lines); });
+  for_lines(lines, cancel, [&](std::size_t l) { smoother.smooth(l, steps, cancel, lines); });
   return move_lines(std::move(lines), mesh.positions());
 }
 
-Isolines simplify_lines(const Isolines& lines, double tolerance) {
+Isolines simplify_lines(const Isolines& lines, double tolerance, const CancelToken& cancel) {
   check_lines(lines);
   check_not_negative(tolerance, "tolerance");
   const LineSimplifier simplifier(lines, tolerance);
   std::vector<std::uint8_t> kept(at(lines.offsets.back()));
-  for_lines(lines, [&](std::size_t l) { simplifier.mark(l, kept); });
+  for_lines(lines, cancel, [&](std::size_t l) { simplifier.mark(l, cancel, kept); });
   std::vector<Index> points, offsets{0}, numbers(lines.closed.size());
   for (std::size_t l = 0; l < numbers.size(); ++l) {
     for (Index i = lines.offsets[l]; i < lines.offsets[l + 1]; ++i)
@@ -127,17 +130,17 @@ Isolines simplify_lines(const Isolines& lines, double tolerance) {
   }
   std::iota(numbers.begin(), numbers.end(), Index{0});
   Isolines simple = part_of(lines, points, std::move(offsets), numbers);
-  measure_all(simple);
+  measure_all(simple, cancel);
   return simple;
 }
 
-Isolines resample_lines(const Isolines& lines, double spacing) {
+Isolines resample_lines(const Isolines& lines, double spacing, const CancelToken& cancel) {
   check_lines(lines);
   if (!(spacing > 0) || !std::isfinite(spacing))
     throw InputError(message("the spacing is ", spacing, ", but has to be positive"));
   const std::size_t count = lines.closed.size();
   std::vector<double> lengths(count);
-  for_lines(lines, [&](std::size_t l) { lengths[l] = measure(lines, l); });
+  for_lines(lines, cancel, [&](std::size_t l) { lengths[l] = measure(lines, l); });
   std::vector<Index> segments, offsets{0};
   constexpr double kMostPoints = 1 << 30;
   for (std::size_t l = 0; l < count; ++l) {
@@ -149,9 +152,9 @@ Isolines resample_lines(const Isolines& lines, double spacing) {
   }
   Isolines even{{}, {}, {}, offsets, lines.closed, lines.level, lengths};
   even.points.resize(3 * at(offsets.back()));
-  for_lines(lines,
+  for_lines(lines, cancel,
             [&](std::size_t l) { walk(lines, l, lengths[l], segments[l], even.points.data() + 3 * at(offsets[l])); });
-  measure_all(even);
+  measure_all(even, cancel);
   return even;
 }
 

@@ -49,10 +49,11 @@ LineSimplifier::Farthest LineSimplifier::farthest(std::size_t first, std::size_t
 }
 
 /// \param end  the point that follows last - 1: `last` itself, or the line's first if it closes there
-void LineSimplifier::mark_between(std::size_t first, std::size_t last, std::size_t end,
+void LineSimplifier::mark_between(std::size_t first, std::size_t last, std::size_t end, const CancelToken& cancel,
                                   std::vector<std::uint8_t>& kept) const {
   std::vector<std::array<std::size_t, 3>> parts{{first, last, end}};
   while (!parts.empty()) {
+    cancel.check();
     const auto [from, to, to_point] = parts.back();
     parts.pop_back();
     const auto [distance, middle] = farthest(from, to, to_point);
@@ -63,19 +64,19 @@ void LineSimplifier::mark_between(std::size_t first, std::size_t last, std::size
   }
 }
 
-void LineSimplifier::mark(std::size_t l, std::vector<std::uint8_t>& kept) const {
+void LineSimplifier::mark(std::size_t l, const CancelToken& cancel, std::vector<std::uint8_t>& kept) const {
   const std::size_t begin = at(lines_.offsets[l]), end = at(lines_.offsets[l + 1]);
   kept[begin] = 1;
   if (lines_.closed[l] == 0) {
     kept[end - 1] = 1;
-    mark_between(begin, end - 1, end - 1, kept);
+    mark_between(begin, end - 1, end - 1, cancel, kept);
     return;
   }
   // A closed line falls into two at the point farthest from its first one.
   const std::size_t middle = std::max(begin + 1, farthest(begin, end, begin).second);
   kept[middle] = 1;
-  mark_between(begin, middle, middle, kept);
-  mark_between(middle, end, begin, kept);
+  mark_between(begin, middle, middle, cancel, kept);
+  mark_between(middle, end, begin, cancel, kept);
   if (end - begin < 3 || std::count(kept.begin() + static_cast<std::ptrdiff_t>(begin),
                                     kept.begin() + static_cast<std::ptrdiff_t>(end), 1) > 2)
     return;

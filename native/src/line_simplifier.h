@@ -17,13 +17,14 @@ class LineSimplifier {
   LineSimplifier(const Isolines& lines, double tolerance);
 
   /// Sets kept[i] to 1 for the points of line l that stay. May be called for several lines at once.
-  void mark(std::size_t l, std::vector<std::uint8_t>& kept) const;
+  void mark(std::size_t l, const CancelToken& cancel, std::vector<std::uint8_t>& kept) const;
 
  private:
   using Farthest = std::pair<double, std::size_t>;
   [[nodiscard]] Vector3 point(std::size_t i) const;
   [[nodiscard]] Farthest farthest(std::size_t first, std::size_t last, std::size_t end) const;
-  void mark_between(std::size_t first, std::size_t last, std::size_t end, std::vector<std::uint8_t>& kept) const;
+  void mark_between(std::size_t first, std::size_t last, std::size_t end, const CancelToken& cancel,
+                    std::vector<std::uint8_t>& kept) const;
 
   const Isolines& lines_;
   double scale_; ///< to a unit in which squares neither vanish nor overflow

@@ -45,7 +45,7 @@ LineSmoother::LineSmoother(std::span<const double> positions, const Isolines& li
   scale_ = unit_scale(size);
 }
 
-void LineSmoother::smooth(std::size_t l, Index steps, Isolines& lines) const {
+void LineSmoother::smooth(std::size_t l, Index steps, const CancelToken& cancel, Isolines& lines) const {
   constexpr double kRoom = 0.01; // that a point leaves before a vertex
   const std::size_t begin = at(lines.offsets[l]), count = at(lines.offsets[l + 1]) - begin;
   const auto scaled = [&](Index v) {
@@ -63,6 +63,7 @@ void LineSmoother::smooth(std::size_t l, Index steps, Isolines& lines) const {
   const double damping = static_cast<double>(count / 2) / static_cast<double>(count);
   std::vector<Vector3> places(count);
   for (Index step = 0; step < steps; ++step) {
+    cancel.check();
     std::transform(beads.begin(), beads.end(), places.begin(), [](const Bead& bead) { return bead.place(); });
     for (std::size_t i = end_points; i + end_points < count; ++i) {
       Bead& bead = beads[i];

@@ -15,7 +15,7 @@ class LineSmoother {
   LineSmoother(std::span<const double> positions, const Isolines& lines);
 
   /// Moves the places t of line l. May be called for several lines at once. Cost: O(points steps).
-  void smooth(std::size_t l, Index steps, Isolines& lines) const;
+  void smooth(std::size_t l, Index steps, const CancelToken& cancel, Isolines& lines) const;
 
  private:
   std::span<const double> positions_;

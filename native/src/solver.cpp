@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dirichlet/solver.h"
 
+#include <limits>
+
 #include <utility>
 
 #include "dirichlet/error.h"
@@ -25,7 +27,7 @@ void check_options(const SolverOptions& options) {
 std::unique_ptr<Solver> choose_solver(SparseMatrix&& K, const SolverOptions& options) {
   if (options.method == Method::least_squares_cg) return make_least_squares_solver(std::move(K), options);
   if (options.method == Method::multigrid) return make_multigrid_solver(std::move(K), options);
-  const std::int64_t budget = options.memory_budget.value_or(physical_memory() / 2);
+  const std::int64_t budget = options.memory_budget.value_or(default_memory_budget());
   const Analysis analysis = analyse_pattern(K, options.cancel);
   if (options.method == Method::automatic &&
       direct_solver_bytes(*analysis.symbolic, K.nonZeros(), options.precision) > budget)
@@ -34,6 +36,11 @@ std::unique_ptr<Solver> choose_solver(SparseMatrix&& K, const SolverOptions& opt
 }
 
 } // namespace
+
+std::int64_t default_memory_budget() {
+  const std::int64_t all = physical_memory();
+  return all == std::numeric_limits<std::int64_t>::max() ? all : all / 2;
+}
 
 std::unique_ptr<Solver> make_solver(SparseMatrix&& K, const SolverOptions& options) {
   check_options(options);

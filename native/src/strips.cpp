@@ -95,7 +95,8 @@ bool load(const Mesh& triangles, std::span<const double> field, std::span<const 
 
 } // namespace
 
-Strips measure_strips(const Mesh& triangles, std::span<const double> field, std::span<const double> levels) {
+Strips measure_strips(const Mesh& triangles, std::span<const double> field, std::span<const double> levels,
+                      const CancelToken& cancel) {
   double size = 0;
   for (const double x : triangles.positions()) size = std::max(size, std::abs(x));
   const double scale = unit_scale(size);
@@ -109,8 +110,10 @@ Strips measure_strips(const Mesh& triangles, std::span<const double> field, std:
   parallel_chunks(blocks, 1, [&](std::size_t begin, std::size_t end) {
     std::array<Corner, 3> corner{};
     for (std::size_t block = begin; block < end; ++block)
-      for (std::size_t t = count * block / blocks; t < count * (block + 1) / blocks; ++t)
+      for (std::size_t t = count * block / blocks; t < count * (block + 1) / blocks; ++t) {
+        if (t % kWorthOne == 0) cancel.check();
         if (load(triangles, field, numbers, t, scale, corner)) meters[block].add(corner);
+      }
   });
   for (std::size_t block = 1; block < blocks; ++block) meters[0].add(meters[block]);
   return meters[0].finish();

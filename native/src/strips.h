@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "dirichlet/cancel.h"
 #include "dirichlet/mesh.h"
 
 namespace dirichlet {
@@ -20,6 +21,7 @@ struct Strips {
 /// \param field      (V,) of no infinite value
 /// \param levels     (K,) ascending
 /// Cost: O(V log K + T + crossings of triangles and levels). Same result whatever the thread count.
-Strips measure_strips(const Mesh& triangles, std::span<const double> field, std::span<const double> levels);
+Strips measure_strips(const Mesh& triangles, std::span<const double> field, std::span<const double> levels,
+                      const CancelToken& cancel = {});
 
 } // namespace dirichlet

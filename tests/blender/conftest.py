@@ -38,6 +38,12 @@ def pipeline(addon, surface):
     return importlib.import_module(f"{addon.__name__}.blender.pipeline")
 
 
+@pytest.fixture
+def module(addon, surface):
+    """A module of the add-on's that touches Blender's data, by its name."""
+    return lambda name: importlib.import_module(f"{addon.__name__}.blender.{name}")
+
+
 @pytest.fixture(autouse=True)
 def _empty_file(addon):
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)

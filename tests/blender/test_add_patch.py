@@ -205,8 +205,7 @@ def test_what_is_not_shown_is_not_hit(picking, how):
 
 def test_the_outline_is_where_the_distance_is_the_radius(discs):
     obj = grid(30, 30)
-    shape = discs.Disc(obj, (14.3, 15.2, 0))
-    shape.resize(6.0)
+    shape = discs.run(discs.open_disc(obj, (14.3, 15.2, 0), 6.0))
     lines, colors = shape.outline()
     distances = np.linalg.norm(lines.points - (14.3, 15.2, 0), axis=1)
     assert len(lines) == len(colors) == 1
@@ -218,8 +217,7 @@ def test_the_outline_is_where_the_distance_is_the_radius(discs):
 def test_on_a_deformed_surface_the_outline_is_shown_where_the_surface_is(discs):
     obj = grid(30, 30)
     pose(obj)
-    shape = discs.Disc(obj, (14, 15, 0))
-    shape.resize(6.0)
+    shape = discs.run(discs.open_disc(obj, (14, 15, 0), 6.0))
     points = shape.outline()[0].points / (3, 1, 1)
     assert np.abs(np.linalg.norm(points - (14, 15, 5), axis=1) - 6).max() < 0.1
     assert shape.vertices.tolist() == sorted(near(obj, (14, 15, 0), 6))
@@ -230,17 +228,23 @@ def test_a_disc_that_is_refused_while_dragged_ends_the_operator(surface):
         raise surface.InputError("no")
 
     seen = []
-    running = SimpleNamespace(_drag=refuse, _end=lambda: seen.append("end"), report=lambda *told: seen.append(told))
+    running = SimpleNamespace(
+        _background=None,
+        _pointer=SimpleNamespace(move=lambda event: None),
+        _released=False,
+        _drag=refuse,
+        cancel=lambda context: seen.append("end"),
+        report=lambda *told: seen.append(told),
+    )
     event = SimpleNamespace(type="MOUSEMOVE", value="NOTHING")
     assert bpy.types.DIRICHLET_OT_add_patch_disc.modal(running, bpy.context, event) == {"CANCELLED"}
-    assert seen == ["end", ({"ERROR"}, "no")]
+    assert seen == [({"ERROR"}, "no"), "end"]
 
 
 def test_a_disc_not_added_leaves_nothing(discs):
     obj = painted_grid()
     before = state(obj)
-    shape = discs.Disc(obj, (5, 3, 0))
-    shape.resize(3.0)
+    shape = discs.run(discs.open_disc(obj, (5, 3, 0), 3.0))
     shape.outline()
     assert state(obj) == before
 

@@ -7,7 +7,7 @@ import time
 import bpy
 import numpy as np
 import pytest
-from following import assert_current, set_delay
+from following import assert_current, set_delay, settle
 from scene import field_of, painted_grid
 
 
@@ -123,3 +123,44 @@ def test_renamed_result_gets_its_lines(live, grid_live):
     result.name = "Renamed"
     run_timer(live)
     assert len(result.data.splines) == 7
+
+
+def test_a_newer_stroke_stops_what_live_computes_and_never_an_operator_on_the_same_mesh(live, module, grid_live):
+    work, several = module("work"), module("several")
+    grid_live.dirichlet.method = "lscg"
+    operator = several.solve_fields([grid_live])
+    task = next(operator).compute.args[0]
+    grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
+    with task.session._lock:  # as the operator's thread would hold it
+        task.session._current = task.cancel
+        bpy.context.view_layer.update()
+        live._tick()
+        (follower,) = live._followers.values()
+        assert follower.is_computing()  # it waits for the operator
+        grid_live.vertex_groups["left"].add([31], 1.0, "REPLACE")
+        bpy.context.view_layer.update()
+        assert follower._work.field.cancel.is_cancelled
+        assert not task.session._token.is_cancelled
+        assert not task.cancel.is_cancelled
+    operator.close()
+    assert task.cancel.is_cancelled
+    run_timer(live)
+    assert grid_live.dirichlet.results.problem == ""
+    assert work.threads._running == set()
+
+
+def test_newer_levels_stop_lines_that_are_traced_in_a_thread(live, grid_live):
+    grid_live.dirichlet.live = False  # so that no field is due with them
+    grid_live.dirichlet.preview = True
+    settle(live)
+    grid_live.dirichlet.count = 7
+    live._tick()
+    (follower,) = live._followers.values()
+    (task,) = follower._work.lines.values()
+    follower.is_computing = lambda: True  # as they are, where they take long
+    grid_live.dirichlet.count = 8
+    assert task.cancel.is_cancelled
+    del follower.is_computing
+    run_timer(live)
+    assert len(live.preview_of(grid_live).lines) == 8
+    assert grid_live.dirichlet.results.problem == ""

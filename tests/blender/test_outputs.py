@@ -114,14 +114,14 @@ def test_switching_the_output_replaces_the_object_in_its_place(surface_object, f
 
 
 @pytest.mark.parametrize("active", [False, True])
-def test_switching_the_output_keeps_the_selection(pipeline, active):
+def test_switching_the_output_keeps_the_selection(module, active):
     obj = painted_grid()
     bpy.ops.dirichlet.solve_field()
     result = make(obj, "CURVE")
     result.select_set(active)
     bpy.context.view_layer.objects.active = result if active else obj
     obj.dirichlet.output = "MESH"
-    made = pipeline.refresh(result).object
+    made = module("work").run(module("several").refresh([result])).results[0].object
     assert (made.select_get(), bpy.context.view_layer.objects.active == made) == (active, active)
 
 

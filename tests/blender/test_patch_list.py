@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The list of patches: order, copies, and what it says about every patch."""
 
-import importlib
-
 import bpy
 import numpy as np
 import pytest
@@ -191,15 +189,15 @@ def test_solving_counts_and_checks_the_patches():
     assert obj.dirichlet.patches[0].problem == "Not connected: 2 pieces"
 
 
-def test_facts_that_come_late_find_their_rows_in_a_list_that_changed(addon, surface):
+def test_facts_that_come_late_find_their_rows_in_a_list_that_changed(module, surface):
     """As they do from a thread, for rows removed, moved and added meanwhile."""
-    module = importlib.import_module(f"{addon.__name__}.blender.paint.patches")
+    patches = module("paint.patches")
     obj = three_patches()
     painted = [surface.Patch(name, np.arange(k + 1), 0.0) for k, name in enumerate("abc")]
     obj.dirichlet.patches.remove(1)
     obj.dirichlet.patches.move(1, 0)
     paint(obj, "new", [50])
-    module.record_facts(obj, library_mesh(surface, obj), painted)
+    patches.record_facts(obj, painted, patches.inspect(library_mesh(surface, obj), painted))
     assert [(patch.group, patch.vertices) for patch in obj.dirichlet.patches] == [("c", 3), ("a", 1), ("new", 0)]
 
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fields and lines computed beside the interface, and what may happen to their object meanwhile."""
 
-import importlib
 import time
 from threading import current_thread, main_thread
 
@@ -9,11 +8,6 @@ import bpy
 import pytest
 from refusal import state
 from scene import field_of, painted_sphere
-
-
-@pytest.fixture
-def module(addon, surface):
-    return lambda name: importlib.import_module(f"{addon.__name__}.blender.{name}")
 
 
 @pytest.fixture
@@ -69,15 +63,17 @@ def test_what_is_dropped_has_written_nothing(solving):
     assert state(obj) == before
 
 
-def test_a_solver_that_was_dropped_stops_and_keeps_nobody_waiting(solving, module, surface):
-    obj = painted_sphere()
-    first = module("mesh.sessions").open_session(obj)
+def test_a_solver_that_was_dropped_stops_and_serves_the_next(solving, module, surface):
+    obj = painted_sphere(6)
+    obj.dirichlet.method = "lscg"
     background = solving(obj)
-    assert module("mesh.sessions").open_session(obj) is first
+    while not module("mesh.sessions").open_session(obj).is_busy():
+        background.poll()
     background.stop()
-    assert module("mesh.sessions").open_session(obj) is not first
-    with pytest.raises(surface.CancelledError):
-        first.paint(module("paint.painting").read_painting(obj), {})
+    obj.dirichlet.method = "auto"
+    bpy.ops.dirichlet.solve_field()
+    assert obj.dirichlet.results.solved
+    assert background._job.exception(60).__class__ is surface.CancelledError
 
 
 def test_an_object_that_was_renamed_gets_its_field(solving):

@@ -119,11 +119,11 @@ def test_refresh_refuses_a_locked_result(sheet):
     assert_refused(bpy.ops.dirichlet.result_refresh, sheet, r"poll\(\).*locked: switch off Lock")
 
 
-def test_the_library_function_refuses_a_locked_result_too(sheet, surface, pipeline):
+def test_the_work_refuses_a_locked_result_too(sheet, surface, module):
     result = make(sheet)
     result.dirichlet_isolines.locked = True
     with pytest.raises(surface.InputError, match=f"'{result.name}' is locked"):
-        pipeline.refresh(result)
+        module("several").refresh([result])
 
 
 def test_results_of_one_source_keep_settings_of_their_own(sheet):

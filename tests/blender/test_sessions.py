@@ -2,6 +2,8 @@
 """What is kept of a mesh between two solves, and when it is not."""
 
 import importlib
+import time
+from threading import Thread
 
 import bmesh
 import bpy
@@ -101,3 +103,94 @@ def test_session_that_makes_room_for_others_ends_what_it_computes(sessions, addo
     assert sessions.open_session(obj) is not session
     values, _ = session.paint(painted, {"method": "auto"})
     assert np.isfinite(values).all()
+
+
+@pytest.fixture
+def budget(module, monkeypatch):
+    """Sets the memory budget of the preferences, in megabytes."""
+    of = module("preferences")
+    return lambda megabytes: monkeypatch.setattr(of, "DEFAULTS", of.Preferences(memory_budget=megabytes))
+
+
+def test_sessions_keep_to_the_memory_budget_and_the_newest_stays(sessions, pipeline, budget):
+    objects = [painted_grid(60, 60, name=f"Grid {k}") for k in range(3)]
+    for obj in objects:
+        pipeline.solve_field(obj)
+    first, second, third = sessions._sessions.values()
+    assert first.bytes > 160 * 3600  # more than the connectivity: a factor
+    budget(1 + int((second.bytes + third.bytes) / 2**20))
+    sessions.open_session(objects[2])
+    assert list(sessions._sessions.values()) == [second, third]
+    budget(1)
+    assert first.bytes + second.bytes > 2**20
+    assert sessions.open_session(objects[1]) is second
+    assert list(sessions._sessions.values()) == [second]
+
+
+def test_room_is_made_before_a_factor_is_there(sessions, pipeline, module, budget):
+    one, other = painted_grid(60, 60), painted_grid(60, 60, name="Other")
+    pipeline.solve_field(one)
+    sessions.open_session(other)
+    assert len(sessions._sessions) == 2
+    budget(5)
+    sessions.open_session(other)
+    assert len(sessions._sessions) == 2
+    other.dirichlet.method = "direct"
+    module("field_task").read(other)  # of which 3 MB are expected
+    assert list(sessions._sessions) == [other.data.as_pointer()]
+
+
+def test_a_session_at_work_is_kept_whatever_it_takes(sessions, budget):
+    busy = sessions.open_session(painted_grid())
+    budget(1)
+    with busy._lock:  # as the thread that paints holds it
+        for k in range(5):
+            sessions.open_session(painted_grid(90, 90, name=f"Grid {k}"))
+        assert next(iter(sessions._sessions.values())) is busy
+        assert len(sessions._sessions) == 2
+    sessions.open_session(painted_grid(name="Last"))
+    assert busy not in sessions._sessions.values()
+
+
+@pytest.fixture
+def two_paintings(sessions, module, surface):
+    """A session, something to paint in it that takes very long, and the tokens of two who want that."""
+    obj = painted_grid(200, 200)
+    session = sessions.open_session(obj)
+    return session, module("paint.painting").read_painting(obj), surface.CancelToken(), surface.CancelToken()
+
+
+def painting_in_thread(session, painting, options, stop, told):
+    def paint():
+        try:
+            told.append(np.isfinite(session.paint(painting, options, stop=stop)[0]).all())
+        except Exception as error:
+            told.append(type(error).__name__)
+
+    thread = Thread(target=paint, daemon=True)
+    thread.start()
+    return thread
+
+
+def test_interrupting_who_waits_leaves_the_one_at_work_alone(two_paintings, surface):
+    session, painting, mine, other = two_paintings
+    told, waiting = [], []
+    worker = painting_in_thread(session, painting, {"method": "lscg"}, mine, told)
+    while session._current is not mine:
+        time.sleep(0.001)
+    second = painting_in_thread(session, painting, {"method": "lscg"}, other, waiting)
+    session.interrupt(other)
+    assert not session._token.is_cancelled
+    assert not told
+    session.interrupt(mine)
+    worker.join(60)
+    second.join(60)
+    assert (told, waiting) == (["CancelledError"], ["CancelledError"])
+
+
+def test_after_an_interruption_the_next_painting_is_whole(two_paintings, surface):
+    session, painting, mine, other = two_paintings
+    session.interrupt(mine)
+    with pytest.raises(surface.CancelledError):
+        session.paint(painting, {"method": "auto"}, stop=mine)
+    assert np.isfinite(session.paint(painting, {"method": "auto"}, stop=other)[0]).all()

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dirichlet/cancel.h"
 
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include <gtest/gtest.h>
 
 #include "dirichlet/field.h"
+#include "dirichlet/geodesic.h"
+#include "dirichlet/isolines.h"
+#include "dirichlet/levels.h"
+#include "dirichlet/line_shaping.h"
 #include "mesh_makers.h"
 #include "refusal.h"
 #include "solver/ordering.h"
@@ -107,6 +113,82 @@ TEST(CancelToken, raised_by_another_thread_stops_conjugate_gradients_between_two
   });
   EXPECT_REFUSED(solver.paint(kPainted, kValues), CancelledError, "cancelled");
   other.join();
+}
+
+/// x at every vertex of the mesh.
+std::vector<double> ramp(const Mesh& mesh) {
+  std::vector<double> field;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) field.push_back(mesh.positions()[3 * static_cast<std::size_t>(v)]);
+  return field;
+}
+
+TEST(CancelToken, stops_all_that_can_take_long_with_lines_and_leaves_no_trace) {
+  const auto mesh = make_mesh(makers::torus(60, 40));
+  const auto field = ramp(*mesh);
+  const std::vector<double> levels = even_levels(-2, 2, 9);
+  const Isolines lines = extract_isolines(*mesh, field, levels);
+  const std::array<double, 3> point{2, 0, 0.7};
+  const CancelToken token;
+  token.cancel();
+  EXPECT_REFUSED(extract_isolines(*mesh, field, levels, token), CancelledError, "cancelled");
+  EXPECT_REFUSED(smooth_lines(*mesh, lines, 3, token), CancelledError, "cancelled");
+  EXPECT_REFUSED(simplify_lines(lines, 0.1, token), CancelledError, "cancelled");
+  EXPECT_REFUSED(resample_lines(lines, 0.1, token), CancelledError, "cancelled");
+  EXPECT_REFUSED(equal_area_levels(*mesh, field, 9, {}, {}, token), CancelledError, "cancelled");
+  EXPECT_REFUSED(equal_distance_levels(*mesh, field, 9, {}, {}, token), CancelledError, "cancelled");
+  EXPECT_REFUSED(geodesic_disc(*mesh, point, 1, {}, token), CancelledError, "cancelled");
+  token.reset();
+  EXPECT_EQ(extract_isolines(*mesh, field, levels, token).points, lines.points);
+  EXPECT_EQ(smooth_lines(*mesh, lines, 3, token).points, smooth_lines(*mesh, lines, 3).points);
+  EXPECT_EQ(simplify_lines(lines, 0.1, token).points, simplify_lines(lines, 0.1).points);
+  EXPECT_EQ(resample_lines(lines, 0.1, token).points, resample_lines(lines, 0.1).points);
+  EXPECT_EQ(equal_area_levels(*mesh, field, 9, {}, {}, token), equal_area_levels(*mesh, field, 9));
+  EXPECT_EQ(equal_distance_levels(*mesh, field, 9, {}, {}, token), equal_distance_levels(*mesh, field, 9));
+  EXPECT_EQ(geodesic_disc(*mesh, point, 1, {}, token).vertices, geodesic_disc(*mesh, point, 1).vertices);
+}
+
+/// Has another thread raise the token while `work`, which left alone would take minutes, is going on.
+template <class Work>
+void expect_stopped_on_its_way(const CancelToken& token, const Work& work) {
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    token.cancel();
+  });
+  EXPECT_REFUSED(work(), CancelledError, "cancelled");
+  other.join();
+  token.reset();
+}
+
+TEST(CancelToken, raised_by_another_thread_stops_a_single_long_line_between_two_steps) {
+  constexpr Index kPoints = 200'000;
+  const auto strip = make_mesh(makers::grid(kPoints, 1));
+  std::vector<double> height;
+  for (Index v = 0; v < strip->vertex_count(); ++v)
+    height.push_back(strip->positions()[3 * static_cast<std::size_t>(v) + 1]);
+  Isolines line = extract_isolines(*strip, height, std::vector<double>{0.5});
+  ASSERT_EQ(line.closed.size(), 1U);
+  const CancelToken token;
+  expect_stopped_on_its_way(token, [&] { return smooth_lines(*strip, line, 10'000, token); });
+  // An arc of which the part to look at loses a point or two each time: a spiral that turns ever closer.
+  for (std::size_t i = 0; 3 * i < line.points.size(); ++i) {
+    const double turn = 3.0 * static_cast<double>(i), radius = std::exp(-1e-4 * static_cast<double>(i));
+    line.points[3 * i] = radius * std::cos(turn);
+    line.points[3 * i + 1] = radius * std::sin(turn);
+  }
+  expect_stopped_on_its_way(token, [&] { return simplify_lines(line, 0, token); });
+}
+
+TEST(CancelToken, raised_by_another_thread_stops_tracing_between_two_triangles) {
+  const auto mesh = make_mesh(makers::torus(400, 300));
+  const auto field = ramp(*mesh);
+  const std::vector<double> levels = even_levels(-2.7, 2.7, 999);
+  const CancelToken token;
+  expect_stopped_on_its_way(token, [&] {
+    for (;;) extract_isolines(*mesh, field, levels, token);
+  });
+  expect_stopped_on_its_way(token, [&] {
+    for (;;) equal_area_levels(*mesh, field, 999, {}, {}, token);
+  });
 }
 
 } // namespace

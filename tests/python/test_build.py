@@ -8,7 +8,7 @@ from pathlib import Path
 import dirichlet_surface as surface
 import numpy as np
 import pytest
-from dirichlet_surface import InputError, build_information, set_thread_limit
+from dirichlet_surface import InputError, build_information, default_memory_budget, set_thread_limit
 from mesh_makers import torus
 from paintings import random_paint
 
@@ -19,6 +19,10 @@ ROOT = Path(__file__).resolve().parents[2]
 def limited():
     yield set_thread_limit
     set_thread_limit(None)
+
+
+def test_solvers_keep_to_half_of_the_machines_memory():
+    assert default_memory_budget() == os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2
 
 
 def test_what_a_report_needs_is_told():

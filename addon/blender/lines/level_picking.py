@@ -4,33 +4,46 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import bpy
 import numpy as np
 
 from ... import library
-from ..mesh import meshes, sessions
+from ..held import Held
+from ..mesh import sessions
+from ..work import Made, Step, Work, stopping
 from . import levels, line_task
 
 
-def add_level(obj: bpy.types.Object, location: Sequence[float]) -> float:
+def add_level(obj: bpy.types.Object, location: Sequence[float]) -> Work:
     """Adds the field's value at the mesh's nearest point to `location`, in object space, to the listed levels.
 
     In another mode the list begins with the levels of that mode, so that no line is lost, and becomes the mode. Returns
-    the value. Raises InputError: no field, one that is undefined there, a list that is not of numbers, or levels that
-    cannot be had.
+    Made, whose result is the value. Raises InputError: no field, one that is undefined there, a list that is not of
+    numbers, or levels that cannot be had.
     """
-    meshes.require_mesh(obj)
-    values, mesh, settings = line_task.read_values(obj), sessions.open_session(obj).mesh, obj.dirichlet
-    level = library.load().level_through_point(mesh, values, location)
+    held, surface = Held(obj), library.load()
+    session = yield from sessions.opening(held)
+    obj = held.find_mesh()
+    values, settings, cancel = line_task.read_values(obj), obj.dirichlet, surface.CancelToken()
     listed = settings.levels_list.strip().rstrip(",;")
-    if settings.levels_mode != "LIST":
-        listed = ", ".join(map(_written, levels.read_options(settings).choose_on(mesh, values)))
-    elif listed:
+    options = None if settings.levels_mode == "LIST" else levels.read_options(settings)
+    if listed and not options:
         levels.parse_levels(listed)
+
+    def find() -> tuple[float, Any]:
+        level = surface.level_through_point(session.mesh, values, tuple(location))
+        return level, options.choose_on(session.mesh, values, cancel) if options else ()
+
+    with stopping(cancel.cancel):
+        level, others = yield Step(held.name, 0.5, find)
+    settings = held.find_mesh().dirichlet
+    if options:
+        listed = ", ".join(map(_written, others))
     settings.levels_list = f"{listed}, {_written(level)}" if listed else _written(level)
     settings.levels_mode = "LIST"
-    return level
+    return Made([level], "")
 
 
 def _written(level: float) -> str:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import bpy
 import numpy as np
@@ -30,9 +31,9 @@ class LevelOptions:
         """The window of values in a field that ranges from `low` to `high`; a list of levels has none of its own."""
         return (low, high) if self.mode == "LIST" or self.window is None else self.window
 
-    def choose_on(self, mesh, values: NDArray[np.floating]) -> NDArray[np.float64]:
-        """Ascending or as listed; mesh: the library's, values: (V,) of the field, not all NaN. Raises what `choose` and
-        the library's ways to spread levels over a surface raise."""
+    def choose_on(self, mesh, values: NDArray[np.floating], cancel: Any) -> NDArray[np.float64]:
+        """Ascending or as listed; mesh: the library's, values: (V,) of the field, not all NaN, cancel: the library's
+        CancelToken. Raises what `choose` and the library's ways to spread levels over a surface raise."""
         low, high = float(np.fmin.reduce(values)), float(np.fmax.reduce(values))
         if low == high and self.mode != "LIST":
             raise library.load().InputError(
@@ -40,7 +41,8 @@ class LevelOptions:
             )
         if self.mode not in _SPREADS:
             return self.choose(low, high)
-        return getattr(library.load(), _SPREADS[self.mode])(mesh, values, self.count, *self.window_in(low, high))
+        spread = getattr(library.load(), _SPREADS[self.mode])
+        return spread(mesh, values, self.count, *self.window_in(low, high), cancel=cancel)
 
     def choose(self, low: float, high: float) -> NDArray[np.float64]:
         """Ascending or as listed; `low` and `high` are the field's range, the window unless the user set another.

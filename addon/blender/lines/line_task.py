@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import bpy
@@ -31,6 +31,11 @@ class LineTask:
     table: ramp.ColorTable
     clock: Stopwatch
     warnings: tuple[str, ...] = ()
+    cancel: Any = field(default_factory=lambda: library.load().CancelToken())
+
+    def interrupt(self) -> None:
+        """Ends `compute` by the library's CancelledError, also before it has begun."""
+        self.cancel.cancel()
 
     def compute(self, values: NDArray[np.float32], most_levels: int | None = None) -> LineOutcome:
         """values: (V,) as the mesh stores them, not all of them NaN. Raises the library's InputError, also for more
@@ -38,16 +43,16 @@ class LineTask:
         self.clock.restart()
         ends = ramp.limits(values)
         surface = library.load()
-        chosen = self.options.choose_on(self.mesh, values)
+        chosen = self.options.choose_on(self.mesh, values, self.cancel)
         if most_levels is not None and len(chosen) > most_levels:
             raise surface.InputError(
                 say("{count} levels are too many to follow: Make Isolines draws them", count=len(chosen))
             )
-        lines = surface.isolines(self.mesh, values, chosen)
-        lines = self.shape.on_surface(self.mesh, lines)
+        lines = surface.isolines(self.mesh, values, chosen, cancel=self.cancel)
+        lines = self.shape.on_surface(self.mesh, lines, self.cancel)
         if self.positions is not None:
             lines = surface.move_lines(lines, self.positions)
-        lines = self.shape.in_space(lines)
+        lines = self.shape.in_space(lines, self.cancel)
         self.clock.lap("isolines")
         window = self.options.window_in(float(np.fmin.reduce(values)), float(np.fmax.reduce(values)))
         factors = self.shape.factors(lines.levels, window)

@@ -9,6 +9,8 @@ survives renaming; whether it fits is decided by the arrays alone, so nothing ha
 from __future__ import annotations
 
 from collections import OrderedDict
+from collections.abc import Generator
+from functools import partial
 from threading import Lock
 from typing import Any
 
@@ -17,7 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ... import library
-from .. import preferences
+from .. import expected_memory, preferences
+from ..held import Held
+from ..work import Step, run
 from . import meshes
 
 _MOST = 4  # sessions kept; the one used longest ago goes first
@@ -27,11 +31,14 @@ _sessions: OrderedDict[int, Session] = OrderedDict()
 class Session:
     """A mesh data-block as the library has it."""
 
-    def __init__(self, arrays: meshes.Arrays) -> None:
-        self.arrays = arrays
-        self.mesh: Any = meshes.build(arrays)
-        self._lock = Lock()
-        self._token: Any = library.load().CancelToken()
+    def __init__(self, arrays: meshes.Arrays, mesh: Any) -> None:
+        """mesh: the library's, of these arrays."""
+        self.arrays, self.mesh = arrays, mesh
+        self.solver_bytes = 0  # that the solver takes
+        self._lock = Lock()  # held by who paints
+        self._turn = Lock()  # held for a moment, by who looks or changes whose painting is worked on
+        self._token: Any = library.load().CancelToken()  # the solver's
+        self._current: Any = None  # the token of the painting that is worked on
         self._stopped = False
         self._deformed: Any = None
         self._solver: Any = None
@@ -43,40 +50,65 @@ class Session:
             self._deformed = library.load().Mesh(positions, (self.arrays.offsets, self.arrays.corners))
         return self._deformed
 
-    def paint(self, painting: Any, options: dict[str, Any], surface: Any = None) -> tuple[NDArray[np.float64], Any]:
+    def paint(
+        self, painting: Any, options: dict[str, Any], surface: Any = None, stop: Any = None
+    ) -> tuple[NDArray[np.float64], Any]:
         """Values (V,) and report of the library's HarmonicSolver with these options, which is kept for the next
         painting. surface: the library's Mesh of these faces to solve on, this session's if nothing is said. Raises
-        what HarmonicSolver and its `paint` raise. For any thread; one call waits for the other."""
-        surface = surface or self.mesh
-        made_of = options, None if sees_no_positions(options) else surface
-        with self._lock:
-            self._token.reset()
-            if self._stopped:
-                self._token.cancel()
-            if self._made_of != made_of:
-                self._solver = self._made_of = None  # first: a factor is the largest thing there is
-                self._solver = library.load().HarmonicSolver(surface, **options, cancel=self._token)
-                self._made_of = made_of
-            values = self._solver.paint(painting.vertices, painting.values)
-            return values, self._solver.report
+        what HarmonicSolver and its `paint` raise. For any thread; one call waits for the other.
 
-    def interrupt(self) -> None:
-        """Ends what a thread is painting by CancelledError; the next painting is whole again."""
-        self._token.cancel()
+        stop: a CancelToken by which `interrupt` ends this painting alone.
+        """
+        with self._lock:
+            self._begin(stop)
+            try:
+                return self._paint(painting, options, surface or self.mesh)
+            finally:
+                with self._turn:
+                    self._current = None
+
+    def interrupt(self, stop: Any) -> None:
+        """Ends the painting that was given this token by CancelledError, whether a thread is at it or it waits for
+        others, which go on. The next painting is whole again."""
+        with self._turn:
+            stop.cancel()
+            if self._current is stop:
+                self._token.cancel()
 
     def stop(self) -> None:
         """Ends what a thread is painting, and all painting to come."""
-        self._stopped = True
-        self._token.cancel()
+        with self._turn:
+            self._stopped = True
+            self._token.cancel()
 
-    def follow(self, arrays: meshes.Arrays) -> bool:
-        """Whether these are its faces; then it takes the positions."""
-        if not self.arrays.same_faces(arrays):
-            return False
-        if not np.array_equal(self.arrays.positions, arrays.positions):
-            self.mesh = meshes.build(arrays)
-        self.arrays = arrays
-        return True
+    def is_busy(self) -> bool:
+        return self._lock.locked()
+
+    @property
+    def bytes(self) -> float:
+        """That it takes, about, by what the library tells of its factor."""
+        meshes_kept = 1 if self._deformed is None else 2
+        return meshes_kept * expected_memory.of_lines(len(self.arrays.positions)) + self.solver_bytes
+
+    def _begin(self, stop: Any) -> None:
+        with self._turn:
+            self._current = stop
+            if self._stopped or (stop and stop.is_cancelled):
+                self._token.cancel()
+            else:
+                self._token.reset()
+
+    def _paint(self, painting: Any, options: dict[str, Any], surface: Any) -> tuple[NDArray[np.float64], Any]:
+        made_of = options, None if sees_no_positions(options) else surface
+        if self._made_of != made_of:
+            self._solver = self._made_of = None  # first: a factor is the largest thing there is
+            self.solver_bytes = 0
+            self._solver = library.load().HarmonicSolver(surface, **options, cancel=self._token)
+            self._made_of = made_of
+        values = self._solver.paint(painting.vertices, painting.values)
+        report = self._solver.report
+        self.solver_bytes = expected_memory.of_solver(report.vertices, report.factor_nonzeros)
+        return values, report
 
 
 def sees_no_positions(options: dict[str, Any]) -> bool:
@@ -87,27 +119,50 @@ def sees_no_positions(options: dict[str, Any]) -> bool:
 def open_session(obj: bpy.types.Object) -> Session:
     """The session of the object's mesh as it is now; those of meshes that are gone end here. Raises what
     meshes.read_arrays and the library's Mesh raise."""
+    return run(opening(Held(obj)))
+
+
+def opening(held: Held, part: float = 0.0) -> Generator[Step, Any, Session]:
+    """The same as a part of a work, a step of its own where the library's mesh is still to be made. What is held is
+    then kept to these arrays."""
     _forget_removed()
-    key = obj.data.as_pointer()
+    obj = held.find_mesh()
     arrays = meshes.read_arrays(obj.data)
-    session = _sessions.pop(key, None)
-    if session and not session.follow(arrays):
+    held.keep(arrays)
+    session = _sessions.get(obj.data.as_pointer())
+    if session and session.arrays.same(arrays):
+        return _put(obj, session)
+    preferences.limit_threads()
+    mesh = yield Step(held.name, part, partial(meshes.build, arrays))
+    obj = held.find_mesh()
+    session = _sessions.get(obj.data.as_pointer())
+    if session and session.arrays.same_faces(arrays):  # what knows of positions looks at the mesh
+        session.arrays, session.mesh = arrays, mesh
+        return _put(obj, session)
+    if session:
         session.stop()
-        session = None
-    if session is None:
-        preferences.limit_threads()
-        session = Session(arrays)
+    return _put(obj, Session(arrays, mesh))
+
+
+def make_room(session: Session, expected: float = 0.0) -> None:
+    """Forgets the sessions used longest ago, of those that are not busy, until the others and this one, once it takes
+    the bytes expected of it, keep to the memory budget."""
+    room = preferences.memory_budget() or library.load().default_memory_budget()
+    others = {key: one for key, one in _sessions.items() if one is not session}
+    for key, one in list(others.items()):
+        if len(others) < _MOST and sum(o.bytes for o in others.values()) + max(session.bytes, expected) <= room:
+            break
+        if not one.is_busy():
+            del _sessions[key], others[key]  # not stopped: what it is about to compute may still be waited for
+
+
+def _put(obj: bpy.types.Object, session: Session) -> Session:
+    """Keeps it, as the newest."""
+    key = obj.data.as_pointer()
     _sessions[key] = session
-    if len(_sessions) > _MOST:
-        _sessions.popitem(last=False)  # not stopped: what it computes may still be waited for
+    _sessions.move_to_end(key)
+    make_room(session)
     return session
-
-
-def abandon(session: Session) -> None:
-    """Nobody waits any more for what its solver is busy with: it stops, and the next to open one gets another."""
-    session.stop()
-    for key in [key for key, one in _sessions.items() if one is session]:
-        del _sessions[key]
 
 
 def forget_all() -> None:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import bpy
@@ -13,7 +14,9 @@ from numpy.typing import NDArray
 from ... import library
 from ...language import say
 from .. import preferences, settings
-from ..mesh import groups, meshes, sessions
+from ..held import Held
+from ..mesh import groups, sessions
+from ..work import Made, Step, Work
 from . import painting
 
 
@@ -62,22 +65,29 @@ def remove(obj: bpy.types.Object) -> None:
     obj.dirichlet.active_patch = max(0, min(row, len(rows) - 1))
 
 
-def inspect(obj: bpy.types.Object) -> None:
-    """Puts vertices and problem into the rows. Raises what open_session and read_patches raise, before that."""
-    meshes.require_mesh(obj)
-    record_facts(obj, sessions.open_session(obj).mesh, painting.read_patches(obj))
+def check(obj: bpy.types.Object) -> Work:
+    """Puts vertices and problem into the rows; returns Made. Raises what open_session and read_patches raise."""
+    held = Held(obj)
+    session = yield from sessions.opening(held)
+    painted = painting.read_patches(held.find_mesh())
+    facts = yield Step(held.name, 0.5, partial(inspect, session.mesh, painted))
+    record_facts(held.find_mesh(), painted, facts)
+    return Made([], "")
 
 
-def record_facts(obj: bpy.types.Object, mesh: Any, painted: Sequence[Any]) -> None:
+def inspect(mesh: Any, painted: Sequence[Any]) -> list[Any]:
+    """The library's PatchFacts of its Patches; mesh: its Mesh. For any thread. Cost: 0.1 s for a million vertices."""
+    return library.load().inspect_patches(mesh, [patch.vertices for patch in painted])
+
+
+def record_facts(obj: bpy.types.Object, painted: Sequence[Any], inspected: Sequence[Any]) -> None:
     """Puts vertices and problem into the rows; rows that are off, or were not there when `painted` was read, get none.
 
-    mesh: the library's Mesh; painted: the library's Patch of every enabled patch.
-    Cost: that of the library's inspect_patches, some 0.1 s for a million vertices.
+    painted: the library's Patch of every enabled patch; inspected: what `inspect` found out about them.
     """
     names = [patch.name for patch in painted]
-    found = library.load().inspect_patches(mesh, [patch.vertices for patch in painted])
     facts: dict[str, list[tuple[int, str]]] = {name: [] for name in names}
-    for name, fact in zip(names, found):
+    for name, fact in zip(names, inspected):
         facts[name].append((fact.vertices, "; ".join(_problems(fact, name, names))))
     for row in obj.dirichlet.patches:
         known = facts.get(row.group) if row.enabled else None

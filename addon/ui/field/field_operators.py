@@ -3,13 +3,12 @@
 
 import bpy
 
-from ... import library
 from ...blender import expected_memory, preferences
 from ...blender.look import material
 from ...blender.names import FIELD
 from ...language import say
 from .. import viewport
-from ..common import chosen_meshes, poll_field, poll_mesh
+from ..common import chosen_meshes, poll_field, poll_mesh, reporting
 from ..computing import Computing
 
 
@@ -90,12 +89,10 @@ class DIRICHLET_OT_update_colors(bpy.types.Operator):
     def execute(self, context):
         from ...blender import pipeline
 
-        try:
+        with reporting(self):
             pipeline.update_colors(context.active_object)
-        except library.refusals() as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return {"FINISHED"}
+            return {"FINISHED"}
+        return {"CANCELLED"}
 
 
 class DIRICHLET_OT_restore_materials(bpy.types.Operator):

@@ -7,9 +7,8 @@ import bpy
 from bl_operators.presets import AddPresetBase
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 
-from ... import library
 from ...language import say
-from ..common import is_local, poll_mesh
+from ..common import is_local, poll_mesh, reporting
 from .presets import PRESETS
 
 SUBDIRECTORY = "dirichlet_isolines"  # of Blender's folders of presets
@@ -45,14 +44,12 @@ class DIRICHLET_OT_copy_settings(bpy.types.Operator):
     def execute(self, context):
         from ...blender import setups
 
-        try:
+        with reporting(self):
             setup = setups.read(context.active_object)
             for obj in _targets(context):
                 setups.write(obj, setup)
-        except library.refusals() as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return {"FINISHED"}
+            return {"FINISHED"}
+        return {"CANCELLED"}
 
 
 class DIRICHLET_OT_apply_preset(bpy.types.Operator):
@@ -84,13 +81,11 @@ class DIRICHLET_OT_apply_preset(bpy.types.Operator):
     def execute(self, context):
         from ...blender import setups
 
-        try:
+        with reporting(self):
             setup = setups.load(Path(self.filepath)) if self.filepath else PRESETS[self.preset].setup
             setups.write(context.active_object, setup)
-        except library.refusals() as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return {"FINISHED"}
+            return {"FINISHED"}
+        return {"CANCELLED"}
 
 
 class DIRICHLET_OT_preset_add(AddPresetBase, bpy.types.Operator):

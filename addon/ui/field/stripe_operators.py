@@ -3,10 +3,9 @@
 
 import bpy
 
-from ... import library
 from ...blender.look import material
 from ...language import say
-from ..common import poll_mesh
+from ..common import poll_mesh, reporting
 
 
 def _poll_stripes(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
@@ -77,12 +76,10 @@ class DIRICHLET_OT_remove_stripes(bpy.types.Operator):
 
 
 def _run(operator: bpy.types.Operator, function, obj: bpy.types.Object) -> set[str]:
-    try:
+    with reporting(operator):
         function(obj)
-    except library.refusals() as error:
-        operator.report({"ERROR"}, str(error))
-        return {"CANCELLED"}
-    return {"FINISHED"}
+        return {"FINISHED"}
+    return {"CANCELLED"}
 
 
 CLASSES = (DIRICHLET_OT_add_stripes, DIRICHLET_OT_match_stripes, DIRICHLET_OT_remove_stripes)

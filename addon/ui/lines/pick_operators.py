@@ -4,15 +4,15 @@
 import bpy
 from bpy.props import FloatVectorProperty
 
-from ... import library
 from ...language import label, say
 from ..common import poll_field, poll_mesh
+from ..computing import Computing
 from ..drawing import pointer
 
 _VIEW = {"MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "TRACKPADPAN", "TRACKPADZOOM"}  # may go on meanwhile
 
 
-class DIRICHLET_OT_pick_level(bpy.types.Operator):
+class DIRICHLET_OT_pick_level(Computing, bpy.types.Operator):
     bl_idname = "dirichlet.pick_level"
     bl_label = "Pick Level"
     bl_description = (
@@ -31,23 +31,21 @@ class DIRICHLET_OT_pick_level(bpy.types.Operator):
     def poll(cls, context):
         return poll_mesh(cls, context) and poll_field(cls, context)
 
-    def execute(self, context):
+    def begin(self, objects):
         from ...blender.lines import level_picking
 
-        settings = context.active_object.dirichlet
-        mode = bpy.types.UILayout.enum_item_name(settings, "levels_mode", settings.levels_mode)
-        listed = settings.levels_mode == "LIST"
-        try:
-            level = level_picking.add_level(context.active_object, self.location)
-        except library.refusals() as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        if listed:
-            self.report({"INFO"}, say("Level {level:.7g} added to the list", level=level))
+        settings = objects[0].dirichlet
+        self._mode = bpy.types.UILayout.enum_item_name(settings, "levels_mode", settings.levels_mode)
+        self._listed = settings.levels_mode == "LIST"
+        return level_picking.add_level(objects[0], self.location)
+
+    def finish(self, context, made):
+        (level,) = made.results
+        if self._listed:
+            text = say("Level {level:.7g} added to the list", level=level)
         else:
-            self.report(
-                {"INFO"}, say("Level {level:.7g} added; those of {mode} are listed now", level=level, mode=mode)
-            )
+            text = say("Level {level:.7g} added; those of {mode} are listed now", level=level, mode=self._mode)
+        self.report({"INFO"}, text)
         return {"FINISHED"}
 
     def invoke(self, context, event):
@@ -57,6 +55,8 @@ class DIRICHLET_OT_pick_level(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def modal(self, context, event):
+        if self._background:
+            return super().modal(context, event)
         if event.type in {"ESC", "RIGHTMOUSE"}:
             self._end(context)
             return {"CANCELLED"}
@@ -71,10 +71,13 @@ class DIRICHLET_OT_pick_level(bpy.types.Operator):
             )
             return {"CANCELLED"}
         self.location = hit.location
-        return self.execute(context)
+        return self.work_on(context, self.choose(context))
 
     def cancel(self, context):
-        self._end(context)
+        if self._background:
+            super().cancel(context)
+        else:
+            self._end(context)
 
     def _end(self, context) -> None:
         context.window.cursor_modal_restore()

@@ -3,17 +3,18 @@
 
 import bpy
 
-from ... import library
 from ...blender.lines import result_objects
 from ...language import say
-from ..common import report_made
+from ..common import is_local
+from ..computing import Computing
 
 
-class DIRICHLET_OT_result_refresh(bpy.types.Operator):
+class DIRICHLET_OT_result_refresh(Computing, bpy.types.Operator):
     bl_idname = "dirichlet.result_refresh"
     bl_label = "Refresh"
     bl_description = (
-        "Make these isolines anew from the field that their mesh object has now, by the settings shown below"
+        "Make these isolines anew from the field that their mesh object has now, by the settings shown below; and so "
+        "all other selected ones that are not locked"
     )
     bl_options = {"REGISTER", "UNDO"}
 
@@ -26,15 +27,17 @@ class DIRICHLET_OT_result_refresh(bpy.types.Operator):
             return False
         return True
 
-    def execute(self, context):
-        from ...blender import pipeline
+    def choose(self, context):
+        others = [obj for obj in context.selected_objects if obj != context.object and _can_be_refreshed(obj)]
+        return [context.object, *sorted(others, key=lambda obj: obj.name)]
 
-        try:
-            made = pipeline.refresh(context.object)
-        except library.refusals() as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return report_made(self, made)
+    def begin(self, objects):
+        from ...blender import several
+
+        return several.refresh(objects)
+
+    def sources(self, objects):
+        return [obj.dirichlet_isolines.source for obj in objects]
 
 
 class DIRICHLET_OT_result_remove(bpy.types.Operator):
@@ -74,6 +77,10 @@ class DIRICHLET_OT_result_select_source(bpy.types.Operator):
     def execute(self, context):
         _activate(context, context.object.dirichlet_isolines.source)
         return {"FINISHED"}
+
+
+def _can_be_refreshed(obj: bpy.types.Object) -> bool:
+    return result_objects.is_result(obj) and not obj.dirichlet_isolines.locked and is_local(obj)
 
 
 def _poll_result(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:

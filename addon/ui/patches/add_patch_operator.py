@@ -4,16 +4,16 @@
 import bpy
 from bpy.props import FloatProperty, FloatVectorProperty, IntProperty
 
-from ... import library
 from ...language import counted, label, say
-from ..common import length, poll_mesh
+from ..common import length, poll_mesh, reporting
+from ..computing import Computing
 from ..drawing.pointer import Pointer
 from . import outline
 
 _STILL = 4  # pixels that a hand moves without meaning to drag
 
 
-class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
+class DIRICHLET_OT_add_patch_disc(Computing, bpy.types.Operator):
     bl_idname = "dirichlet.add_patch_disc"
     bl_label = "Add Patch"
     bl_description = (
@@ -42,70 +42,77 @@ class DIRICHLET_OT_add_patch_disc(bpy.types.Operator):
     def poll(cls, context):
         return poll_mesh(cls, context)
 
+    _disc = None  # until the library knows the mesh
+
+    def begin(self, objects):
+        from ...blender.paint import discs
+
+        return discs.open_disc(objects[0], self._hit.location, objects[0].dirichlet.disc_radius, self._hit.face)
+
+    def finish(self, context, made):
+        self._disc, self._outline = made, outline.Outline(context.active_object)
+        self._show()
+        self._drag(context)  # the hand has not waited
+        return self._add(context) if self._released else {"RUNNING_MODAL"}
+
     def execute(self, context):
         from ...blender.paint import discs
 
         obj = context.active_object
-        try:
+        with reporting(self):
             self.radius = self.radius or obj.dirichlet.disc_radius
             count = discs.add_disc(obj, self.location, self.radius, self.face if self.face >= 0 else None)
-        except library.refusals() as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        vertices = counted(count, "1 vertex", "{count:,} vertices")
-        radius = length(context, self.radius)
-        self.report({"INFO"}, say("A patch of {vertices}, radius {radius}", vertices=vertices, radius=radius))
-        return {"FINISHED"}
+            vertices = counted(count, "1 vertex", "{count:,} vertices")
+            radius = length(context, self.radius)
+            self.report({"INFO"}, say("A patch of {vertices}, radius {radius}", vertices=vertices, radius=radius))
+            return {"FINISHED"}
+        return {"CANCELLED"}
 
     def invoke(self, context, event):
-        from ...blender.paint import discs
-
-        obj = context.active_object
         if context.region is None or context.region.type != "WINDOW":
             self.report({"ERROR"}, "Press on the surface in a 3D viewport, or give the location")
             return {"CANCELLED"}
         self._pointer = Pointer(context.area, context.region, event)
+        self._pressed, self._dragged, self._released = self._pointer.place, False, False
         self._hit = self._pointer.hit(context)
         if self._hit is None:
-            self.report({"WARNING"}, say("There is nothing of '{object}' under the pointer", object=obj.name))
+            name = context.active_object.name
+            self.report({"WARNING"}, say("There is nothing of '{object}' under the pointer", object=name))
             return {"CANCELLED"}
-        try:
-            self._disc = discs.Disc(obj, self._hit.location, self._hit.face)
-            self._disc.resize(obj.dirichlet.disc_radius)
-        except library.refusals() as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        self._start, self._dragged = self._pointer.place, False
-        self._outline = outline.Outline(obj)
-        self._show()
-        context.window_manager.modal_handler_add(self)
-        return {"RUNNING_MODAL"}
+        status = self.start(context, self.choose(context))
+        if self._disc:
+            context.window_manager.modal_handler_add(self)
+        return status
 
     def modal(self, context, event):
         if event.type in {"ESC", "RIGHTMOUSE"}:
-            self._end()
+            self.cancel(context)
             return {"CANCELLED"}
-        if event.type == "LEFTMOUSE" and event.value == "RELEASE":
-            self._drag(context, event)  # of a quick hand the last moves are never told
-            self._end()
-            self.location, self.radius = self._hit.location, self._disc.radius
-            self.face = -1 if self._hit.face is None else self._hit.face
-            return self.execute(context)
-        try:
-            if event.type == "MOUSEMOVE":
-                self._drag(context, event)
-        except library.refusals() as error:
-            self._end()
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return {"RUNNING_MODAL"}
+        with reporting(self):
+            self._pointer.move(event)
+            self._released |= event.type == "LEFTMOUSE" and event.value == "RELEASE"
+            if self._background:
+                return (self.look(context) if event.type == "TIMER" else None) or {"RUNNING_MODAL"}
+            if self._released or event.type == "MOUSEMOVE":  # of a quick hand the last moves are never told
+                self._drag(context)
+            return self._add(context) if self._released else {"RUNNING_MODAL"}
+        self.cancel(context)
+        return {"CANCELLED"}
 
     def cancel(self, context):
-        self._end()
+        if self._background:
+            super().cancel(context)
+        else:
+            self._end()
 
-    def _drag(self, context, event) -> None:
-        self._pointer.move(event)
-        self._dragged = self._dragged or (self._pointer.place - self._start).length > _STILL
+    def _add(self, context):
+        self._end()
+        self.location, self.radius = self._hit.location, self._disc.radius
+        self.face = -1 if self._hit.face is None else self._hit.face
+        return self.execute(context)
+
+    def _drag(self, context) -> None:
+        self._dragged = self._dragged or (self._pointer.place - self._pressed).length > _STILL
         if self._dragged:
             world = self._pointer.at_depth_of(self._hit.shown) - self._hit.shown
             across = context.active_object.matrix_world.inverted_safe().to_3x3() @ world

@@ -4,10 +4,10 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from ... import library
 from ...language import say
 from .. import callbacks
 from ..common import poll_mesh, poll_patch
+from ..computing import Computing
 
 
 class _RowOperator:
@@ -78,7 +78,7 @@ class DIRICHLET_OT_patch_duplicate(_RowOperator, bpy.types.Operator):
         return {"FINISHED"}
 
 
-class DIRICHLET_OT_check_patches(bpy.types.Operator):
+class DIRICHLET_OT_check_patches(Computing, bpy.types.Operator):
     bl_idname = "dirichlet.check_patches"
     bl_label = "Check Patches"
     bl_description = "Count the vertices of every patch, and see whether each is a disc that overlaps no other"
@@ -102,15 +102,10 @@ class DIRICHLET_OT_check_patches(bpy.types.Operator):
             return say("{problem}. Click to check again", problem=patches[properties.index].problem)
         return say(cls.bl_description)
 
-    def execute(self, context):
+    def begin(self, objects):
         from ...blender.paint import patches
 
-        try:
-            patches.inspect(context.active_object)
-        except library.refusals() as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return {"FINISHED"}
+        return patches.check(objects[0])
 
 
 CLASSES = (

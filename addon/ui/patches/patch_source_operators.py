@@ -4,33 +4,17 @@
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from ... import library
 from ...blender.names import COLOR
-from ...language import counted
 from ..common import poll_mesh
+from ..computing import Computing
 
 
-class _SourceOperator:
+class _SourceOperator(Computing):
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
     def poll(cls, context):
         return poll_mesh(cls, context)
-
-    def add(self, context, name: str, find) -> set[str]:
-        """A patch named so for every set of vertices that `find` returns of the object."""
-        from ...blender.paint import patches
-
-        obj = context.active_object
-        try:
-            sets = find(obj)
-        except library.refusals() as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        for vertices in sets:
-            patches.add_group(obj, name, vertices)
-        self.report({"INFO"}, counted(len(sets), "1 patch added", "{count} patches added"))
-        return {"FINISHED"}
 
 
 class DIRICHLET_OT_patches_from_borders(_SourceOperator, bpy.types.Operator):
@@ -38,10 +22,10 @@ class DIRICHLET_OT_patches_from_borders(_SourceOperator, bpy.types.Operator):
     bl_label = "Patches from Borders"
     bl_description = "Add a patch for every border of the mesh: the closed loop of vertices along it"
 
-    def execute(self, context):
+    def begin(self, objects):
         from ...blender.paint import patch_sources
 
-        return self.add(context, "Border", patch_sources.border_loops)
+        return patch_sources.from_borders(objects[0])
 
 
 class DIRICHLET_OT_patches_from_pieces(_SourceOperator, bpy.types.Operator):
@@ -52,10 +36,10 @@ class DIRICHLET_OT_patches_from_pieces(_SourceOperator, bpy.types.Operator):
         "turning their patches off, or erase paint where the field shall vary"
     )
 
-    def execute(self, context):
+    def begin(self, objects):
         from ...blender.paint import patch_sources
 
-        return self.add(context, "Piece", patch_sources.pieces)
+        return patch_sources.from_pieces(objects[0])
 
 
 class DIRICHLET_OT_patches_from_attribute(_SourceOperator, bpy.types.Operator):
@@ -75,9 +59,18 @@ class DIRICHLET_OT_patches_from_attribute(_SourceOperator, bpy.types.Operator):
         default=True,
     )
 
+    _asked = False  # people, for attribute and background
+
     def invoke(self, context, event):
-        self.attribute = self.attribute or _active_color(context)
+        self.attribute = self.attribute or _active_color(context.active_object)
+        self._asked = True
         return context.window_manager.invoke_props_dialog(self)
+
+    def execute(self, context):
+        if self._asked:  # by the dialog; what is repeated from the panel of the last operator is repeated at once
+            self._asked = False
+            return self.work_on(context, self.choose(context))
+        return super().execute(context)
 
     def draw(self, context):
         column = self.layout.column()
@@ -85,14 +78,10 @@ class DIRICHLET_OT_patches_from_attribute(_SourceOperator, bpy.types.Operator):
         column.prop_search(self, "attribute", context.active_object.data, "attributes")
         column.prop(self, "background")
 
-    def execute(self, context):
+    def begin(self, objects):
         from ...blender.paint import patch_sources
 
-        name = self.attribute or _active_color(context)
-        # not the attribute's own name, which would then stand for both
-        return self.add(
-            context, f"{name} island", lambda obj: patch_sources.attribute_islands(obj, name, self.background)
-        )
+        return patch_sources.from_attribute(objects[0], self.attribute or _active_color(objects[0]), self.background)
 
 
 class DIRICHLET_MT_patches_from(bpy.types.Menu):
@@ -107,9 +96,9 @@ class DIRICHLET_MT_patches_from(bpy.types.Menu):
         layout.operator("dirichlet.patches_from_attribute", text="Colors or Attribute...", icon="GROUP_VCOL")
 
 
-def _active_color(context: bpy.types.Context) -> str:
+def _active_color(obj: bpy.types.Object) -> str:
     """Name of the active colour attribute; empty when there is none but the field's."""
-    name = context.active_object.data.color_attributes.active_color_name
+    name = obj.data.color_attributes.active_color_name
     return "" if name == COLOR else name
 
 

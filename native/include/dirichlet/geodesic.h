@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "dirichlet/cancel.h"
 #include "dirichlet/mesh.h"
 
 namespace dirichlet {
@@ -31,11 +32,12 @@ struct GeodesicDisc {
 /// \param radius  >= 0, infinite for all that hangs together with the point. A radius smaller than the way to the
 ///                nearest vertex gives an empty disc, one of 0 the vertex that the point is, if it is one.
 /// \param face    the polygon of the mesh that the middle lies on, which spares the search for it.
+/// \param cancel  stops the front within a fraction of a second, by a CancelledError
 /// \throws InputError     a coordinate that is not finite, a radius below 0 or NaN, no such face
 /// \throws TopologyError  a polygon that has no triangulation
 /// Cost: O(k log k) for a disc and its rim of k vertices; the first call for a mesh O(V + F); without `face` O(F).
 /// Same result whatever the thread count. Thread-safe.
 GeodesicDisc geodesic_disc(const Mesh& mesh, const std::array<double, 3>& point, double radius,
-                           std::optional<Index> face = std::nullopt);
+                           std::optional<Index> face = std::nullopt, const CancelToken& cancel = {});
 
 } // namespace dirichlet

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dirichlet/buffer.h"
+#include "dirichlet/cancel.h"
 #include "dirichlet/mesh.h"
 
 namespace dirichlet {
@@ -31,10 +32,12 @@ struct Isolines {
 /// \param mesh    any polygons; they are crossed as mesh.triangulated().
 /// \param field   (V,) NaN where undefined: triangles touching NaN carry no line; infinity is refused.
 /// \param levels  (K,) finite, any order; of equal ones the first carries the lines.
+/// \param cancel  stops the work within a fraction of a second, by a CancelledError
 /// \throws InputError     wrong length, a level that is not finite, an infinite value (names the first offender),
 ///                        2^30 crossings of levels and triangles or more
 /// \throws TopologyError  a polygon without a triangulation
 /// Cost: O(V log K + F + output). Same result whatever the thread count. Thread-safe.
-Isolines extract_isolines(const Mesh& mesh, std::span<const double> field, std::span<const double> levels);
+Isolines extract_isolines(const Mesh& mesh, std::span<const double> field, std::span<const double> levels,
+                          const CancelToken& cancel = {});
 
 } // namespace dirichlet

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "dirichlet/cancel.h"
 #include "dirichlet/mesh.h"
 
 namespace dirichlet {
@@ -25,6 +26,7 @@ std::vector<double> stepped_levels(double low, double high, double step, double 
 /// and the two between a level and an end of the window. Triangles on which the field is constant do not count, since
 /// no line divides them; nor do those with a NaN.
 /// \param low, high  nothing said: the least and greatest value of the triangles that count
+/// \param cancel     stops the work within a fraction of a second, by a CancelledError
 /// \returns ascending; the areas are equal to 1e-9 of their sum, where there are enough doubles. A level in a gap that
 ///          no value of the surface fills may lie anywhere in it.
 /// \throws InputError     as even_levels; a field of a wrong length or with an infinite value; a field that is constant
@@ -33,7 +35,7 @@ std::vector<double> stepped_levels(double low, double high, double step, double 
 /// Cost: O(V + T) about five times, plus that of 2000 isolines. Same result whatever the thread count.
 std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> field, Index count,
                                       std::optional<double> low = std::nullopt,
-                                      std::optional<double> high = std::nullopt);
+                                      std::optional<double> high = std::nullopt, const CancelToken& cancel = {});
 
 /// The same for distances: from one level to the next lines advance equally far on average, as from the ends of the
 /// window to the levels beside them. How far lines advance is the area they sweep, divided by their length, added up
@@ -42,7 +44,7 @@ std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> 
 /// between vertices and within a step.
 std::vector<double> equal_distance_levels(const Mesh& mesh, std::span<const double> field, Index count,
                                           std::optional<double> low = std::nullopt,
-                                          std::optional<double> high = std::nullopt);
+                                          std::optional<double> high = std::nullopt, const CancelToken& cancel = {});
 
 /// The field's value at the point of the surface nearest to `point`: the level whose line runs through it.
 /// Cost: O(F). \throws InputError  field of a wrong length, or NaN there; a point that is not finite.

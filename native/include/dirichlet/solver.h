@@ -24,11 +24,14 @@ enum class Precision : std::uint8_t {
   float32, ///< half the memory; conjugate gradients on doubles refine what it gives, to the tolerance
 };
 
+/// Bytes: half of the machine's memory; without bound where the system does not tell.
+std::int64_t default_memory_budget();
+
 struct SolverOptions {
   Method method = Method::automatic;
   Precision precision = Precision::float64; ///< of the direct method's factor
   /// Bytes that the factor and what makes strokes quick should take: automatic goes by it, direct keeps no more for
-  /// strokes. Nothing said: half of the machine's memory.
+  /// strokes. Nothing said: default_memory_budget().
   std::optional<std::int64_t> memory_budget;
   /// In (0, 1). A float32 factor and multigrid stop at ‖r‖ ≤ tolerance ‖b‖ (nothing said: 1e-10, and multigrid where
   /// rounding ends if that is before, as with weights 1e8 times others), least squares at

@@ -9,8 +9,9 @@ All errors are DirichletError: InputError, TopologyError or SolverError, one sen
 """
 
 from ._native import CancelledError, DirichletError, InputError, SolverError, TopologyError
-from .build import build_information, set_thread_limit
-from .field import CancelToken, Field, HarmonicSolver, SolveReport, solve
+from .build import build_information, default_memory_budget, set_thread_limit
+from .cancel import CancelToken
+from .field import Field, HarmonicSolver, SolveReport, solve
 from .geodesic import geodesic_disc
 from .line_shaping import keep_long, move_lines, resample_lines, simplify_lines, smooth_lines
 from .lines import (
@@ -45,6 +46,7 @@ __all__ = [
     "TopologyError",
     "build_information",
     "combine_patches",
+    "default_memory_budget",
     "dirichlet_laplacian",
     "equal_area_levels",
     "equal_distance_levels",

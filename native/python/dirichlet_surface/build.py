@@ -13,6 +13,11 @@ def build_information() -> dict[str, str]:
     return _native.build_information()
 
 
+def default_memory_budget() -> int:
+    """Bytes that solvers keep to when no memory_budget is given: half of the machine's memory."""
+    return _native.default_memory_budget()
+
+
 def set_thread_limit(count: int | None) -> None:
     """How many threads the library shares its work out to, 1 or more; None for as many as there are cores.
 

@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike
 
 from . import _native
 from ._arrays import Reals, as_count, as_painted, as_reals, require_name, require_shape
-from ._native import CancelToken as _NativeToken
 from ._native import InputError
+from .cancel import CancelToken, as_token
 from .mesh import Mesh, require_mesh
 from .operators import LAPLACIANS
 
@@ -82,13 +82,6 @@ class SolveReport:
         return asdict(self) | {"warnings": list(self.warnings)}
 
 
-class CancelToken(_NativeToken):
-    """A flag that asks a solver to stop, to be raised from any thread by `cancel()`.
-
-    It stays raised until `reset()`: work that begins meanwhile stops at once. `is_cancelled` tells.
-    """
-
-
 @dataclass(frozen=True)
 class Field:
     """A solved field: values (V,), NaN on connected pieces without paint, and the report."""
@@ -138,8 +131,6 @@ class HarmonicSolver:
             (precision, PRECISIONS, "precision"),
         ):
             require_name(name, kinds, what)
-        if cancel is not None and not isinstance(cancel, CancelToken):
-            raise InputError(f"this needs a CancelToken, not {type(cancel).__name__}")
         if memory_budget is not None:
             memory_budget = as_count(memory_budget, "memory_budget", 2**63 - 1)
         if max_iterations is not None:
@@ -153,7 +144,7 @@ class HarmonicSolver:
             memory_budget,
             tolerance,
             max_iterations,
-            cancel,
+            as_token(cancel),
         )
         self._report: SolveReport | None = None
 

@@ -8,16 +8,20 @@ from numpy.typing import ArrayLike
 from . import _native
 from ._arrays import Indices, Reals, as_real, as_reals, require_shape
 from ._native import InputError
+from .cancel import CancelToken, as_token
 from .mesh import Mesh, require_mesh
 
 
-def geodesic_disc(mesh: Mesh, point: ArrayLike, radius: float, face: int | None = None) -> tuple[Indices, Reals]:
+def geodesic_disc(
+    mesh: Mesh, point: ArrayLike, radius: float, face: int | None = None, *, cancel: CancelToken | None = None
+) -> tuple[Indices, Reals]:
     """The vertices (C,), ascending, whose distance along the surface from a point is at most `radius`; and theirs (C,).
 
     point   (3,) the disc's middle is the surface's nearest point to it
     radius  >= 0, or infinite. Smaller than the way to the nearest vertex it gives an empty disc; 0 gives the vertex
             that the point is, if it is one.
     face    the polygon that the middle lies on, which spares the search for it
+    cancel  stops the front from another thread: CancelledError
 
     Straight where the surface is flat around the point (to rounding, for Delaunay triangles) and along chains of
     edges; first order in the size of the triangles elsewhere; never below the straight distance in space. A larger
@@ -29,7 +33,8 @@ def geodesic_disc(mesh: Mesh, point: ArrayLike, radius: float, face: int | None 
     require_mesh(mesh)
     place = as_reals(point, "points")
     require_shape(place, (3,), "points")
-    return _native.geodesic_disc(mesh, place.tolist(), as_real(radius, "radii"), _face(mesh, face))
+    token = as_token(cancel)
+    return _native.geodesic_disc(mesh, place.tolist(), as_real(radius, "radii"), _face(mesh, face), token)
 
 
 def _face(mesh: Mesh, face: int | None) -> int | None:

@@ -2,7 +2,8 @@
 """What can be done to isolines once they are there.
 
 Every function gives new lines: their order, levels and closedness stay, their lengths are measured anew. All raise
-InputError for numbers out of range and for lines whose arrays do not fit together, and release the GIL.
+InputError for numbers out of range and for lines whose arrays do not fit together, and release the GIL. What can take
+long takes a CancelToken `cancel` by which another thread may stop it: CancelledError.
 """
 
 import operator
@@ -15,6 +16,7 @@ from numpy.typing import ArrayLike
 from . import _native
 from ._arrays import as_indices, as_real, as_reals, require_shape
 from ._native import InputError
+from .cancel import CancelToken, as_token
 from .lines import Isolines
 from .mesh import Mesh, require_mesh
 
@@ -24,7 +26,7 @@ def keep_long(lines: Isolines, least: float) -> Isolines:
     return replace(lines, **_native.keep_long(_arrays(lines), as_real(least, "least lengths")))
 
 
-def smooth_lines(mesh: Mesh, lines: Isolines, steps: int) -> Isolines:
+def smooth_lines(mesh: Mesh, lines: Isolines, steps: int, *, cancel: CancelToken | None = None) -> Isolines:
     """Lines with fewer kinks that still run on the surface exactly.
 
     In each of the `steps`, 0 … 10,000, every point slides along its own edge, half of the way to where the line between
@@ -40,25 +42,27 @@ def smooth_lines(mesh: Mesh, lines: Isolines, steps: int) -> Isolines:
         raise InputError(f"the number of steps has to be a whole number, not {steps!r}") from None
     if not 0 <= count <= 10_000:
         raise InputError(f"the number of steps is {count}, but has to be from 0 to 10000")
-    return replace(lines, **_native.smooth_lines(mesh, _arrays(lines), count))
+    return replace(lines, **_native.smooth_lines(mesh, _arrays(lines), count, as_token(cancel)))
 
 
-def simplify_lines(lines: Isolines, tolerance: float) -> Isolines:
+def simplify_lines(lines: Isolines, tolerance: float, *, cancel: CancelToken | None = None) -> Isolines:
     """The lines without the points that matter least, by Douglas and Peucker.
 
     What is left out lies within `tolerance` >= 0 of the segment that takes its place. The ends of open lines stay, and
     three points or more of closed ones (two of one that had two). Cost: O(P log P) as a rule, O(P²) for spirals.
     """
-    return replace(lines, **_native.simplify_lines(_arrays(lines), as_real(tolerance, "tolerances")))
+    distance = as_real(tolerance, "tolerances")
+    return replace(lines, **_native.simplify_lines(_arrays(lines), distance, as_token(cancel)))
 
 
-def resample_lines(lines: Isolines, spacing: float) -> Isolines:
+def resample_lines(lines: Isolines, spacing: float, *, cancel: CancelToken | None = None) -> Isolines:
     """Every line as points evenly spaced along it, from its first point on.
 
     It gets length / `spacing` segments, rounded, at least 1 if it is open and 3 if it is closed. The points lie on the
     line but on no edge, so `edges` and `t` of the result are empty. Cost: O(P + output).
     """
-    return replace(lines, **_native.resample_lines(_arrays(lines), as_real(spacing, "spacings")))
+    step = as_real(spacing, "spacings")
+    return replace(lines, **_native.resample_lines(_arrays(lines), step, as_token(cancel)))
 
 
 def move_lines(lines: Isolines, positions: ArrayLike) -> Isolines:

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._arrays import Indices, Reals, as_count, as_real, as_reals, require_shape
+from .cancel import CancelToken, as_token
 from .mesh import Mesh, require_mesh
 
 _MOST_LEVELS = 1_000_000
@@ -47,12 +48,13 @@ class Isolines:
         return self.points[self.offsets[number] : self.offsets[number + 1]]
 
 
-def isolines(mesh: Mesh, values: ArrayLike, levels: ArrayLike) -> Isolines:
+def isolines(mesh: Mesh, values: ArrayLike, levels: ArrayLike, *, cancel: CancelToken | None = None) -> Isolines:
     """Where a field (V,) takes the given levels (K,), as connected polylines, higher values on their left.
 
     A vertex is above a level when its value is not smaller, with no tolerance: every line is closed, or ends on a
     border or at an edge of three or more faces; a plateau at the level lies above, the line runs along its rim.
-    Triangles with a NaN carry no line. Of equal levels the first carries the lines; polygons are triangulated.
+    Triangles with a NaN carry no line. Of equal levels the first carries the lines; polygons are triangulated. Another
+    thread may stop it by `cancel`: CancelledError.
 
     Raises InputError (lengths, a level that is not finite, an infinite value) or TopologyError (a polygon that has no
     triangulation). Cost: O(V log K + F + output). Releases the GIL.
@@ -63,7 +65,7 @@ def isolines(mesh: Mesh, values: ArrayLike, levels: ArrayLike) -> Isolines:
     cuts = as_reals(levels, "levels")
     require_shape(cuts, (None,), "levels")
     start = time.perf_counter()
-    arrays = _native.extract_isolines(mesh, field, cuts)
+    arrays = _native.extract_isolines(mesh, field, cuts, as_token(cancel))
     seconds = time.perf_counter() - start
     return Isolines(**arrays, levels=cuts, seconds=seconds, warnings=_level_warnings(field, cuts))
 
@@ -92,23 +94,36 @@ def stepped_levels(low: float, high: float, step: float, phase: float = 0.0) -> 
 
 
 def equal_area_levels(
-    mesh: Mesh, values: ArrayLike, count: int, low: float | None = None, high: float | None = None
+    mesh: Mesh,
+    values: ArrayLike,
+    count: int,
+    low: float | None = None,
+    high: float | None = None,
+    *,
+    cancel: CancelToken | None = None,
 ) -> Reals:
     """`count` levels, ascending, that cut the surface into `count` + 1 strips of equal areas.
 
     values     (V,); triangles on which the field is constant do not count, nor do those with a NaN
     low, high  the window that is cut; nothing said: the field's range
+    cancel     stops it from another thread: CancelledError
 
     The areas are equal to 1e-9 of their sum, where there are enough doubles. Raises InputError (lengths, an infinite
     value, a field that is constant or has no values, a window that is empty or holds none of the surface) or
     TopologyError (a polygon that has no triangulation). Cost: O(V + F) about five times, and that of 1000 isolines.
     Releases the GIL.
     """
-    return _spread(_native.equal_area_levels, mesh, values, count, low, high)
+    return _spread(_native.equal_area_levels, mesh, values, count, low, high, cancel)
 
 
 def equal_distance_levels(
-    mesh: Mesh, values: ArrayLike, count: int, low: float | None = None, high: float | None = None
+    mesh: Mesh,
+    values: ArrayLike,
+    count: int,
+    low: float | None = None,
+    high: float | None = None,
+    *,
+    cancel: CancelToken | None = None,
 ) -> Reals:
     """`count` levels, ascending, from one of which to the next lines advance equally far on average.
 
@@ -116,22 +131,23 @@ def equal_distance_levels(
     divided by their length, added up over a thousand or more small steps. Arguments, errors and cost as for
     equal_area_levels.
     """
-    return _spread(_native.equal_distance_levels, mesh, values, count, low, high)
+    return _spread(_native.equal_distance_levels, mesh, values, count, low, high, cancel)
 
 
 def _spread(
-    spread: Callable[[Mesh, Reals, int, float | None, float | None], Reals],
+    spread: Callable[[Mesh, Reals, int, float | None, float | None, CancelToken], Reals],
     mesh: Mesh,
     values: ArrayLike,
     count: int,
     low: float | None,
     high: float | None,
+    cancel: CancelToken | None,
 ) -> Reals:
     require_mesh(mesh)
     field = as_reals(values, "field values")
     require_shape(field, (mesh.vertex_count,), "field values")
-    ends = [None if end is None else as_real(end, "ends of the window") for end in (low, high)]
-    return spread(mesh, field, as_count(count, "the number of levels", _MOST_LEVELS), *ends)
+    low, high = (None if end is None else as_real(end, "ends of the window") for end in (low, high))
+    return spread(mesh, field, as_count(count, "the number of levels", _MOST_LEVELS), low, high, as_token(cancel))
 
 
 def level_through_point(mesh: Mesh, values: ArrayLike, point: ArrayLike) -> float:
