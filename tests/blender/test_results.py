@@ -269,12 +269,12 @@ def test_a_disowned_result_can_be_removed(sheet, how):
     assert not bpy.data.curves
 
 
-def test_the_library_function_refuses_a_disowned_result_too(sheet, surface, pipeline):
+def test_the_work_refuses_a_disowned_result_too(sheet, surface, module):
     result = make(sheet)
     activate(sheet)
     bpy.ops.object.delete()
     with pytest.raises(surface.InputError, match="has no mesh object that it was made of"):
-        pipeline.refresh(result)
+        module("several").refresh([result])
 
 
 def test_a_saved_file_remembers_results(sheet, tmp_path):

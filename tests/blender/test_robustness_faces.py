@@ -5,8 +5,6 @@ Blender itself may crash when it evaluates such a mesh, as it does before every 
 called here, as scripts call them, and the mesh is gone before Blender looks at it.
 """
 
-import importlib
-
 import bpy
 import numpy as np
 import pytest
@@ -72,14 +70,13 @@ def test_the_first_bad_face_is_named_and_nothing_written(surface, pipeline, brok
         bpy.data.meshes.remove(obj.data)
 
 
-def test_an_edge_that_ends_nowhere_is_named(addon, surface):
+def test_an_edge_that_ends_nowhere_is_named(module, surface):
     obj = raw([0, 1, 2, 0, 2, 3], [0, 3], [3, 3])
     try:
         obj.data.edges.add(2)
         obj.data.edges.foreach_set("vertices", [0, 1, 1, 77])
-        sources = importlib.import_module(f"{addon.__name__}.blender.paint.patch_sources")
         with pytest.raises(surface.InputError, match=r"edge 1 of mesh 'Raw' ends at vertex 77, .* are 0 to 3"):
-            sources.pieces(obj)
+            module("work").run(module("paint.patch_sources").from_pieces(obj))
     finally:
         bpy.data.meshes.remove(obj.data)
 

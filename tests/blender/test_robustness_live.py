@@ -19,9 +19,9 @@ def gate(live, addon, monkeypatch):
     session = importlib.import_module(f"{addon.__name__}.blender.mesh.sessions").Session
     paint_now, opened = session.paint, threading.Event()
 
-    def paint_later(self, painting, *how):
+    def paint_later(self, *arguments):
         opened.wait(10)
-        return paint_now(self, painting, *how)
+        return paint_now(self, *arguments)
 
     monkeypatch.setattr(session, "paint", paint_later)
     yield opened

@@ -80,7 +80,9 @@ class DIRICHLET_OT_result_select_source(bpy.types.Operator):
 
 
 def _can_be_refreshed(obj: bpy.types.Object) -> bool:
-    return result_objects.is_result(obj) and not obj.dirichlet_isolines.locked and is_local(obj)
+    if not result_objects.is_result(obj) or not result_objects.find_source(obj):
+        return False
+    return not obj.dirichlet_isolines.locked and is_local(obj)
 
 
 def _poll_result(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:

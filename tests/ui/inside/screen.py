@@ -34,6 +34,12 @@ def at(kind: str = "WINDOW") -> AbstractContextManager:
     return bpy.context.temp_override(window=window(), area=viewport(), region=region(kind))
 
 
+def invoke(name: str, **properties) -> set[str]:
+    """Calls one of the add-on's operators there, as its button would."""
+    with at():
+        return getattr(bpy.ops.dirichlet, name)("INVOKE_DEFAULT", True, **properties)
+
+
 def pixel_of(point: tuple[float, float, float]) -> Pixel:
     """Where a point of the world is drawn."""
     view = region("WINDOW")

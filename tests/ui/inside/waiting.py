@@ -5,6 +5,7 @@ import bpy
 import hand
 import scene
 import screen
+from screen import invoke
 from steps import Waiting, picture, run, until
 
 BALL = "Ball"
@@ -17,11 +18,6 @@ def ball() -> bpy.types.Object:
 
 def is_solved() -> bool:
     return "dirichlet_field" in ball().data.attributes
-
-
-def invoke(name: str, **properties) -> set[str]:
-    with screen.at():
-        return getattr(bpy.ops.dirichlet, name)("INVOKE_DEFAULT", True, **properties)
 
 
 def start() -> Waiting:
