@@ -7,6 +7,7 @@ from window import OUT, ROOT, newest_archive, run_inside
 
 IMAGES = ROOT / "docs" / "images"
 VIEWPORT = ("-crop", "1322x786+0+27", "-resize", "840x")
+PALETTE = ("+dither", "-colors", "128", "-define", "png:compression-level=9")  # noise, dithered too, does not compress
 CUTS = {  # in the docs: what was taken, and how it is cut
     "install": (["01-install.png"], ("-crop", "687x130+457+179")),
     "first-field": (["03-first-field.png"], VIEWPORT),
@@ -29,7 +30,7 @@ def reduce_pictures() -> None:
     for name, (taken, cut) in CUTS.items():
         target = IMAGES / f"{name}.png"
         files = [str(OUT / "guide" / file) for file in taken]
-        subprocess.run(["convert", *files, *cut, "-strip", "-colors", "255", "+repage", str(target)], check=True)
+        subprocess.run(["convert", *files, *cut, "-strip", *PALETTE, "+repage", str(target)], check=True)
         print(f"{target.relative_to(ROOT)}: {target.stat().st_size / 1000:.0f} kB")
 
 

@@ -67,7 +67,7 @@ class DIRICHLET_OT_pick_level(Computing, bpy.types.Operator):
         hit = place.hit(context) if place else None
         if hit is None:
             self.report(
-                {"WARNING"}, say("There is nothing of '{object}' under the pointer", object=context.active_object.name)
+                {"ERROR"}, say("There is nothing of '{object}' under the pointer", object=context.active_object.name)
             )
             return {"CANCELLED"}
         self.location = hit.location

@@ -77,7 +77,7 @@ class DIRICHLET_OT_add_patch_disc(Computing, bpy.types.Operator):
         self._hit = self._pointer.hit(context)
         if self._hit is None:
             name = context.active_object.name
-            self.report({"WARNING"}, say("There is nothing of '{object}' under the pointer", object=name))
+            self.report({"ERROR"}, say("There is nothing of '{object}' under the pointer", object=name))
             return {"CANCELLED"}
         status = self.start(context, self.choose(context))
         if self._disc:

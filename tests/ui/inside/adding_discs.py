@@ -3,7 +3,9 @@
 
 import bpy
 import hand
+import numpy as np
 import screen
+import steps
 from canvas import add_ball, ball
 from hand import Pixel
 from steps import Waiting, finished, picture, run, until
@@ -26,6 +28,14 @@ def members(group: str) -> set[int]:
 def pixel(point: tuple[float, float, float], right: int = 0) -> Pixel:
     x, y = screen.pixel_of(point)
     return x + right, y
+
+
+def pixels_near(name: str, x: int, y: int) -> np.ndarray:
+    """(60, 160, 3) of a picture, around a pixel."""
+    image = bpy.data.images.load(str(steps.pictures / f"{name}.png"))
+    pixels = np.array(image.pixels[:], np.float32).reshape(*reversed(image.size), 4)[::-1, :, :3]
+    bpy.data.images.remove(image)
+    return pixels[y - 30 : y + 30, x - 80 : x + 80]
 
 
 def take_the_tool() -> None:
@@ -72,8 +82,16 @@ def change_of_mind() -> Waiting:
 
 
 def beside_the_ball() -> Waiting:
-    yield from hand.click((pixel((-1, 0, 0))[0] - 40, pixel(LEFT)[1]))
+    x, y = pixel((-1, 0, 0))[0] - 90, pixel(LEFT)[1]
+    yield from hand.move((x, y))
+    yield from picture("before-the-click")
+    yield from hand.click((x, y))
+    yield from picture("said-at-the-pointer")
     assert patches() == [("Disc", 0)]
+    before, after = (pixels_near(name, x, y) for name in ("before-the-click", "said-at-the-pointer"))
+    assert np.any(before != after, axis=2).mean() > 0.2
+    yield from hand.move((x + 300, y + 200))  # which takes the message away
+    yield 1
 
 
 def a_click_takes_the_last_radius_while_painting() -> Waiting:

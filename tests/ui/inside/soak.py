@@ -58,7 +58,8 @@ def memory_is_flat() -> Waiting:
 def _rest() -> Waiting:
     """Until everything has been followed."""
     go_to("OBJECT")
-    ball().dirichlet.live = True
+    if not ball().dirichlet.live:  # set again, all would be computed again, and whatever was left out with it
+        ball().dirichlet.live = True
     yield from until(_is_settled)
 
 
