@@ -6,8 +6,8 @@ import subprocess
 from window import OUT, ROOT, newest_archive, run_inside
 
 IMAGES = ROOT / "docs" / "images"
-VIEWPORT = ("-crop", "1322x786+0+27", "-resize", "840x")
-PALETTE = ("+dither", "-colors", "128", "-define", "png:compression-level=9")  # noise, dithered too, does not compress
+VIEWPORT = ("-crop", "1322x786+0+27", "-resize", "720x")
+PALETTE = ("+dither", "-colors", "96", "-define", "png:compression-level=9")  # noise, dithered too, does not compress
 CUTS = {  # in the docs: what was taken, and how it is cut
     "install": (["01-install.png"], ("-crop", "687x130+457+179")),
     "first-field": (["03-first-field.png"], VIEWPORT),
