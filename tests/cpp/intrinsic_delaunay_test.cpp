@@ -130,6 +130,27 @@ TEST(IntrinsicDelaunay, reproduces_linear_functions_in_a_plane_with_a_painted_bo
   }
 }
 
+TEST(IntrinsicDelaunay, needles_and_what_has_shrunk_to_a_point_leave_seven_digits_to_linear_functions) {
+  for (const double size : {1e-6, 1e-9, 1e-12, 1e-15, 0.0}) {
+    PolygonSoup soup = shaken_grid(24, 4, 0.2);
+    double* const p = soup.positions.data();
+    const auto shrink = [&](std::size_t to, std::size_t v) {
+      for (std::size_t k = 0; k < 2; ++k) p[3 * v + k] = p[3 * to + k] + size * (p[3 * v + k] - p[3 * to + k]);
+    };
+    for (std::size_t j = 1; j < 24; ++j)
+      for (std::size_t i = 1; i < 24; ++i)
+        if (i > 8 && i < 16 && j > 8 && j < 16)
+          shrink(12 + 12 * 25, i + j * 25);
+        else if (i % 3 == 2)
+          shrink(i + j * 25 - 1, i + j * 25);
+    const auto mesh = make_mesh(soup);
+    Eigen::VectorXd linear(mesh->vertex_count());
+    for (Index v = 0; v < linear.size(); ++v) linear[v] = 1 + (position(soup, v).x + position(soup, v).y) / 48;
+    const Eigen::VectorXd field = solve(intrinsic_delaunay_stiffness(*mesh), border(*mesh), linear);
+    EXPECT_LE((field - linear).cwiseAbs().maxCoeff(), 1e-6) << "size " << size;
+  }
+}
+
 /// Whether d lies inside the circle through a, b, c, which turn counter-clockwise.
 double inside_circle(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
   Eigen::Matrix3d M;

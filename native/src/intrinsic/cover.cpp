@@ -8,6 +8,7 @@
 
 #include "index.h"
 #include "parallel.h"
+#include "side_lengths.h"
 #include "triangle_lengths.h"
 #include "vector3.h"
 
@@ -34,12 +35,13 @@ bool is_one_sheet(const Mesh& mesh) {
 
 /// Every face with its lengths and angles, its sides not yet glued.
 Buffer<HalfEdge> make_front(const Mesh& mesh) {
-  const SideLengths lengths = measure_sides(mesh);
+  const Buffer<double> lengths = mollified_sides(mesh);
   const std::span<const Index> corners = mesh.corners();
   Buffer<HalfEdge> front(corners.size());
   parallel_chunks(at(mesh.face_count()), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t face = begin; face < end; ++face) {
-      const Sides sides = lengths.of(static_cast<Index>(face)), half_cotangent = half_cotangents(sides);
+      const Sides sides{lengths[3 * face], lengths[3 * face + 1], lengths[3 * face + 2]};
+      const Sides half_cotangent = half_cotangents(sides);
       for (std::size_t k = 0; k < 3; ++k)
         front[3 * face + k] = {kBorder, corners[3 * face + k], sides[k], half_cotangent[k]};
     }

@@ -88,17 +88,17 @@ std::int64_t IntrinsicTriangulation::make_delaunay() {
   constexpr std::int64_t kPerTriangle = 64, kMore = 1'000'000;
   const std::int64_t most = kMore + kPerTriangle * static_cast<std::int64_t>(half_edges_.size() / 3);
   std::int64_t flips = 0;
-  Buffer<Index> next;
-  for (Buffer<Index> now = find_others(); !now.empty(); std::swap(now, next)) {
-    next.clear();
-    for (const Index h : now) {
+  std::vector<Index> open;
+  for (const Index first : find_others()) {
+    open.push_back(first);
+    while (!open.empty() && flips < most) {
+      const Index h = open.back();
+      open.pop_back();
       if (is_delaunay(h)) continue;
-      if (flips == most) return flips;
       const Index t = half_edge(h).twin;
       if (!flip(h)) continue;
       ++flips;
-      for (const Index side : {h, next_in_triangle(h), t, next_in_triangle(t)})
-        if (!is_delaunay(side)) next.push_back(side);
+      for (const Index side : {h, next_in_triangle(h), t, next_in_triangle(t)}) open.push_back(side);
     }
   }
   return flips;
