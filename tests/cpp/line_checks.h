@@ -167,10 +167,11 @@ inline void expect_ends_where_lines_may_end(const Mesh& mesh, const Isolines& li
   };
   for (std::size_t l = 0; l < line_count(lines); ++l)
     for (const Index p : {lines.offsets[l], lines.offsets[l + 1] - 1})
-      if (lines.closed[l] == 0)
+      if (lines.closed[l] == 0) {
         EXPECT_TRUE(edges.contains({lines.edges[2 * at(p)], lines.edges[2 * at(p) + 1]}) ||
                     coincides(point(lines, at(p)), levels[at(lines.level[l])]))
             << "line " << l << " ends in the open";
+      }
 }
 
 inline void expect_lawful(const Mesh& mesh, const Isolines& lines, const std::vector<double>& field,
