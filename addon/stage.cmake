@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake -D ADDON=… -D PACKAGE=… -D STAGE=… -P stage.cmake
-# Makes STAGE hold the add-on, the Python package inside it, the licence and nothing else. Only what differs is written,
-# so that file times tell what changed.
+# cmake -D ADDON=… -D VERSION=… -D STAGE=… [-D PACKAGE=…] -P stage.cmake
+# Makes STAGE hold the add-on with its version filled in, the licence, the Python package inside it unless there is none
+# to be, and nothing else. Only what differs is written, so that file times tell what changed.
 function(files_to_ship folder result)
   file(GLOB_RECURSE files RELATIVE ${folder} ${folder}/*)
   list(FILTER files EXCLUDE REGEX "__pycache__/|\\.cmake$|CMakeLists\\.txt$")
@@ -14,19 +14,35 @@ function(copy_changed source target)
   file(COPY_FILE ${source} ${target} ONLY_IF_DIFFERENT)
 endfunction()
 
+function(fill_in file placeholder value)
+  file(READ ${ADDON}/${file} text)
+  string(REPLACE "${placeholder}" "${value}" filled "${text}")
+  if(filled STREQUAL text)
+    message(FATAL_ERROR "${ADDON}/${file} has no ${placeholder} to fill in")
+  endif()
+  file(CONFIGURE OUTPUT ${STAGE}/${file} CONTENT "${filled}" @ONLY)
+endfunction()
+
 files_to_ship(${ADDON} addon_files)
-files_to_ship(${PACKAGE} package_files)
 file(GLOB_RECURSE stale RELATIVE ${STAGE} ${STAGE}/*)
 copy_changed(${ADDON}/../LICENSE ${STAGE}/LICENSE)
 list(REMOVE_ITEM stale LICENSE)
 foreach(file IN LISTS addon_files)
-  copy_changed(${ADDON}/${file} ${STAGE}/${file})
+  if(NOT file MATCHES "^(__init__\\.py|blender_manifest\\.toml)$")
+    copy_changed(${ADDON}/${file} ${STAGE}/${file})
+  endif()
   list(REMOVE_ITEM stale ${file})
 endforeach()
-foreach(file IN LISTS package_files)
-  copy_changed(${PACKAGE}/${file} ${STAGE}/dirichlet_surface/${file})
-  list(REMOVE_ITEM stale dirichlet_surface/${file})
-endforeach()
+string(REPLACE "." ", " version_tuple ${VERSION})
+fill_in(__init__.py "\"version\": (0, 0, 0)" "\"version\": (${version_tuple})")
+fill_in(blender_manifest.toml "version = \"0.0.0\"" "version = \"${VERSION}\"")
+if(PACKAGE)
+  files_to_ship(${PACKAGE} package_files)
+  foreach(file IN LISTS package_files)
+    copy_changed(${PACKAGE}/${file} ${STAGE}/dirichlet_surface/${file})
+    list(REMOVE_ITEM stale dirichlet_surface/${file})
+  endforeach()
+endif()
 foreach(file IN LISTS stale)
   file(REMOVE ${STAGE}/${file})
 endforeach()

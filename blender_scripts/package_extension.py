@@ -1,58 +1,81 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Zips the staged add-on for Blender's Preferences > Add-ons > Install: package_extension.py STAGED-FOLDER OUT-FOLDER.
+"""Makes the add-on's zips of its sources and the library's wheels: package_extension.py FOLDER WHEEL…
 
-The same staged files give the same bytes: names are sorted, times and permissions fixed.
+    FOLDER/dirichlet_isolines-VERSION.zip           extension for Blender 4.2 and later, with all of the wheels
+    FOLDER/dirichlet_isolines-VERSION-legacy.zip    add-on for earlier ones, with the library for their Python inside
+
+The same input gives the same bytes: names are sorted, times and permissions fixed.
 """
 
 from __future__ import annotations
 
-import ast
+import json
 import os
 import re
+import shutil
+import subprocess
 import sys
-import tomllib
+import tempfile
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path
 
+from extension_rules import LEGACY_TAG, RuleError, check_extension, check_legacy, read_wheel_name
+
+ROOT = Path(__file__).resolve().parents[1]
+NAME = "dirichlet_isolines"
 EARLIEST_ZIP_TIME = (1980, 1, 1, 0, 0, 0)
 
 
 def project_version() -> str:
-    cmake = Path(__file__).resolve().parent.parent / "CMakeLists.txt"
-    return re.search(r"project\(dirichlet_surface VERSION ([0-9.]+)", cmake.read_text()).group(1)
+    return re.search(r"project\(dirichlet_surface VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 
 
-def bl_info_version(staged: Path) -> str:
-    """Blender parses bl_info as a literal without running the file; so do we."""
-    for statement in ast.parse((staged / "__init__.py").read_text()).body:
-        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "bl_info":
-            return ".".join(map(str, ast.literal_eval(statement.value)["version"]))
-    raise SystemExit(f"{staged}/__init__.py has no bl_info")
+def stage(folder: Path, version: str, package: Path | None = None) -> None:
+    """The add-on as it ships, into the folder; with the library inside when its package is named."""
+    facts = {"ADDON": ROOT / "addon", "VERSION": version, "STAGE": folder, "PACKAGE": package or ""}
+    words = [word for name, value in facts.items() for word in ("-D", f"{name}={value}")]
+    subprocess.run(["cmake", *words, "-P", str(ROOT / "addon" / "stage.cmake")], check=True)
 
 
-def check_versions(staged: Path, version: str) -> None:
-    found = {
-        "bl_info": bl_info_version(staged),
-        "blender_manifest.toml": tomllib.loads((staged / "blender_manifest.toml").read_text())["version"],
-    }
-    for place, other in found.items():
-        if other != version:
-            raise SystemExit(f"{place} says version {other}, CMakeLists.txt says {version}")
+def fill_in_wheels(manifest: Path, wheels: list[Path]) -> None:
+    platforms = sorted({platform for wheel in wheels for platform in read_wheel_name(wheel.name).platforms})
+    paths = [f"./wheels/{wheel.name}" for wheel in wheels]
+    text = manifest.read_text()
+    text = re.sub(r"^platforms = .*$", f"platforms = {json.dumps(platforms)}", text, flags=re.MULTILINE)
+    manifest.write_text(re.sub(r"^wheels = .*$", f"wheels = {json.dumps(paths, indent=2)}", text, flags=re.MULTILINE))
 
 
-def files_to_ship(staged: Path) -> list[Path]:
-    return sorted(path for path in staged.rglob("*") if path.is_file() and "__pycache__" not in path.parts)
+def write_extension(target: Path, version: str, wheels: list[Path], folder: Path) -> None:
+    staged = folder / NAME
+    stage(staged, version)
+    fill_in_wheels(staged / "blender_manifest.toml", wheels)
+    (staged / "wheels").mkdir()
+    for wheel in wheels:
+        shutil.copy(wheel, staged / "wheels")
+    write_zip(target, staged, staged)
 
 
-def write_zip(staged: Path, target: Path) -> None:
+def write_legacy(target: Path, version: str, wheel: Path, folder: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(folder / "wheel")
+    stage(folder / "legacy" / NAME, version, folder / "wheel" / "dirichlet_surface")
+    (folder / "legacy" / NAME / "blender_manifest.toml").unlink()  # else later Blenders take it for an extension
+    write_zip(target, folder / "legacy" / NAME, folder / "legacy")
+
+
+def files_to_ship(staged: Path) -> Iterator[Path]:
+    return (path for path in sorted(staged.rglob("*")) if path.is_file())
+
+
+def write_zip(target: Path, staged: Path, names_from: Path) -> None:
     """Beside the target, then renamed: whoever reads it never sees half a zip."""
     beside = target.with_suffix(".part")
     with zipfile.ZipFile(beside, "w") as archive:
         for path in files_to_ship(staged):
-            name = f"{staged.name}/{path.relative_to(staged).as_posix()}"
-            entry = zipfile.ZipInfo(name, EARLIEST_ZIP_TIME)
+            entry = zipfile.ZipInfo(path.relative_to(names_from).as_posix(), EARLIEST_ZIP_TIME)
             entry.external_attr = 0o644 << 16
-            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.compress_type = zipfile.ZIP_STORED if path.suffix == ".whl" else zipfile.ZIP_DEFLATED
             archive.writestr(entry, path.read_bytes(), compresslevel=9)
     os.replace(beside, target)
 
@@ -61,17 +84,28 @@ def print_content(target: Path) -> None:
     with zipfile.ZipFile(target) as archive:
         for entry in archive.infolist():
             print(f"{entry.file_size:>10}  {entry.filename}")
-    print(f"{target}: {target.stat().st_size / 1e6:.2f} MB")
+    print(f"{target}: {target.stat().st_size / 1e6:.2f} MB\n")
 
 
-def main(staged: Path, folder: Path) -> None:
-    version = project_version()
-    check_versions(staged, version)
-    folder.mkdir(parents=True, exist_ok=True)
-    target = folder / f"{staged.name}-{version}.zip"
-    write_zip(staged, target)
-    print_content(target)
+def make(out: Path, wheels: list[Path], version: str) -> None:
+    """Both zips, or without a wheel for its Python all but the legacy one. Raises RuleError."""
+    out.mkdir(parents=True, exist_ok=True)
+    extension, legacy = out / f"{NAME}-{version}.zip", out / f"{NAME}-{version}-legacy.zip"
+    of_legacy = next((wheel for wheel in wheels if read_wheel_name(wheel.name).python == LEGACY_TAG), None)
+    with tempfile.TemporaryDirectory() as folder:
+        write_extension(extension, version, wheels, Path(folder))
+        check_extension(extension, version)
+        print_content(extension)
+        if of_legacy:
+            write_legacy(legacy, version, of_legacy, Path(folder))
+            check_legacy(legacy, version)
+            print_content(legacy)
+    if not of_legacy:
+        print(f"No {legacy.name}: that takes the wheel for {LEGACY_TAG}")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), Path(sys.argv[2]))
+    try:
+        make(Path(sys.argv[1]), sorted(map(Path, sys.argv[2:]), key=lambda wheel: wheel.name), project_version())
+    except RuleError as error:
+        raise SystemExit(f"package_extension.py: {error}") from None

@@ -3,12 +3,21 @@
 
 import os
 import subprocess
+import zipfile
 from pathlib import Path
 
 _INSTALL = """
 import bpy
-bpy.ops.preferences.addon_install(filepath={archive!r})
+bpy.ops.preferences.addon_install(filepath={archive!r}, overwrite=True)
 bpy.ops.preferences.addon_enable(module="dirichlet_isolines")
+bpy.ops.wm.save_userpref()
+"""
+_REMOVE = """
+import bpy
+window = bpy.context.window_manager.windows[0]
+with bpy.context.temp_override(window=window, area=window.screen.areas[0]):
+    bpy.ops.preferences.addon_disable(module="dirichlet_isolines")
+    bpy.ops.preferences.addon_remove(module="dirichlet_isolines")
 bpy.ops.wm.save_userpref()
 """
 
@@ -27,15 +36,46 @@ def empty(home: Path) -> dict[str, str]:
     return environment | {name: str(folder) for name, folder in folders.items()}
 
 
+def home_of(environment: dict[str, str]) -> Path:
+    return Path(environment["BLENDER_USER_RESOURCES"])
+
+
 def run(blender: str, environment: dict[str, str], script: str) -> str:
     """What the script prints in a Blender without window."""
-    command = [blender, "--background", "--python-exit-code", "1", "--python-expr", script]
-    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert "Traceback" not in done.stdout + done.stderr
-    return done.stdout
+    return _start([blender, "--background", "--python-exit-code", "1", "--python-expr", script], environment)
 
 
 def install(blender: str, environment: dict[str, str], archive: Path) -> None:
-    """Preferences > Add-ons > Install, enable, Save Preferences."""
-    run(blender, environment, _INSTALL.format(archive=str(archive)))
+    """Preferences > Add-ons > Install, enable, Save Preferences; from Blender 4.2 on Install from Disk.
+
+    Over an earlier version this is the upgrade.
+    """
+    if _is_extension(archive):
+        extension(blender, environment, "install-file", "-r", "user_default", "-e", str(archive))
+    else:
+        run(blender, environment, _INSTALL.format(archive=str(archive)))
+
+
+def remove(blender: str, environment: dict[str, str], archive: Path) -> None:
+    """Disable and delete what was installed from the archive."""
+    if _is_extension(archive):
+        extension(blender, environment, "remove", "dirichlet_isolines")
+    else:
+        run(blender, environment, _REMOVE)
+
+
+def extension(blender: str, environment: dict[str, str], *words: str) -> str:
+    """blender --command extension WORDS."""
+    return _start([blender, "--command", "extension", *words], environment)
+
+
+def _is_extension(archive: Path) -> bool:
+    with zipfile.ZipFile(archive) as content:
+        return "blender_manifest.toml" in content.namelist()
+
+
+def _start(command: list[str], environment: dict[str, str]) -> str:
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "Traceback" not in done.stdout + done.stderr
+    return done.stdout + done.stderr

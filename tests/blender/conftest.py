@@ -2,17 +2,14 @@
 """Every test starts in an empty file, with the staged add-on registered."""
 
 import importlib
-import os
 import sys
-from pathlib import Path
 
 import bpy
 import pytest
+from archives import STAGED
 from following import settle
 from scene import painted_grid, painted_sphere
 
-ROOT = Path(__file__).resolve().parents[2]
-STAGED = Path(os.environ.get("DIRICHLET_ADDON", ROOT / "build/release/addon/dirichlet_isolines"))
 if not (STAGED / "__init__.py").is_file():
     pytest.exit(f"there is no add-on in {STAGED}: build it first, or name its folder in DIRICHLET_ADDON", returncode=2)
 sys.path.insert(0, str(STAGED.parent))

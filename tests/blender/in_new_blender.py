@@ -6,7 +6,7 @@ import subprocess
 from pathlib import Path
 
 import bpy
-from conftest import ROOT, STAGED
+from archives import ROOT, STAGED
 
 
 def run_script(name, *words, file=None):

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from conftest import STAGED
+from archives import STAGED
 from in_new_blender import run_blender, save
 from scene import field_of, painted_grid
 from shapes import add_shape_key, levels, points

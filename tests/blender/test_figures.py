@@ -8,7 +8,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
-from conftest import ROOT
+from archives import ROOT
 from refusal import data_counts
 from scene import painted_grid
 

@@ -8,7 +8,7 @@ import sysconfig
 import bpy
 import numpy as np
 import pytest
-from conftest import STAGED
+from archives import STAGED
 from in_new_blender import run_blender
 from refusal import data_counts
 from scene import colors_of, field_of, painted_sphere

@@ -7,7 +7,7 @@ import json
 import bpy
 import configuration
 import pytest
-from conftest import STAGED
+from archives import STAGED
 from scene import grid, painted_sphere
 
 ENABLE = f"import bpy\nbpy.ops.preferences.addon_enable(module={STAGED.name!r})"

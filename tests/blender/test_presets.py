@@ -6,7 +6,7 @@ import importlib
 import bpy
 import configuration
 import pytest
-from conftest import STAGED
+from archives import STAGED
 from refusal import assert_refused
 from scene import grid, painted_grid, painted_sphere
 

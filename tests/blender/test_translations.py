@@ -7,7 +7,7 @@ import re
 import bpy
 import pytest
 import texts
-from conftest import STAGED
+from archives import STAGED
 from refusal import data_counts
 from scene import grid, painted_grid
 

@@ -11,5 +11,5 @@ import window
 
 
 @pytest.fixture(scope="session")
-def archive() -> Path:
-    return window.newest_archive()
+def archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return window.archives.archive_for(window.BLENDER, tmp_path_factory.mktemp("zips"))

@@ -3,7 +3,7 @@
 
 import subprocess
 
-from window import OUT, ROOT, newest_archive, run_inside
+from window import BLENDER, OUT, ROOT, archives, run_inside
 
 IMAGES = ROOT / "docs" / "images"
 VIEWPORT = ("-crop", "1322x786+0+27", "-resize", "720x")
@@ -20,7 +20,7 @@ CUTS = {  # in the docs: what was taken, and how it is cut
 
 
 def main() -> None:
-    run_inside("guide", archive=newest_archive(), limit=900)
+    run_inside("guide", archive=archives.archive_for(BLENDER, OUT), limit=900)
     reduce_pictures()
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs a script of steps inside a Blender of its own, in a window on a screen that nobody sees (Xvfb).
 
-    python3 tests/ui/window.py soak --minutes 30      # inside/soak.py, with the add-on's zip of dist/ installed
+    python3 tests/ui/window.py soak --minutes 30      # inside/soak.py, with the add-on's zip installed
 
 Screen, keyboard and mouse are real to Blender; drawing is done by software.
 """
@@ -21,6 +21,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(HERE.parent / "blender"))
+import archives  # noqa: E402
 import configuration  # noqa: E402
 
 BLENDER = os.environ.get("BLENDER", shutil.which("blender") or "/usr/bin/blender")
@@ -93,14 +94,5 @@ def _explain(text: str, what: str, folder: Path) -> str:
     return f"step '{steps[-1] if steps else 'start'}': {what}\n{folder}: {pictures}\n{tail}"
 
 
-def newest_archive() -> Path:
-    """The zip that ./run package made, or the one that DIRICHLET_ZIP names."""
-    named = os.environ.get("DIRICHLET_ZIP")
-    found = [Path(named)] if named else sorted((ROOT / "dist").glob("*.zip"), key=os.path.getmtime)
-    if not found:
-        raise SystemExit("no zip in dist/: ./run package makes it")
-    return found[-1]
-
-
 if __name__ == "__main__":
-    print(run_inside(sys.argv[1], *sys.argv[2:], archive=newest_archive(), limit=2 * 3600))
+    print(run_inside(sys.argv[1], *sys.argv[2:], archive=archives.archive_for(BLENDER, OUT), limit=2 * 3600))

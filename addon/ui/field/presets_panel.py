@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Where presets are chosen, kept and removed, and settings copied."""
 
+from contextlib import suppress
+from pathlib import Path
+
 import bpy
 from bl_ui.utils import PresetPanel
 
@@ -34,13 +37,20 @@ def _draw_copy(menu: bpy.types.Menu, context: bpy.types.Context) -> None:
     menu.layout.operator("dirichlet.copy_settings", text="Copy Isoline Settings")
 
 
+def _folder(create: bool = False) -> Path:
+    """Where the user's presets are kept."""
+    return Path(bpy.utils.user_resource("SCRIPTS", path=f"presets/{SUBDIRECTORY}", create=create))
+
+
 def register() -> None:
-    bpy.utils.user_resource("SCRIPTS", path=f"presets/{SUBDIRECTORY}", create=True)  # else the list complains
+    _folder(create=True)  # else the list complains
     bpy.types.VIEW3D_MT_make_links.append(_draw_copy)
 
 
 def unregister() -> None:
     bpy.types.VIEW3D_MT_make_links.remove(_draw_copy)
+    with suppress(OSError):  # it holds presets, and those stay
+        _folder().rmdir()
 
 
 CLASSES = (DIRICHLET_PT_presets,)

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From an empty configuration to an empty one: what installing, upgrading, saving and removing leave behind."""
+
+import json
+
+import archives
+import bpy
+import configuration
+import pytest
+
+BLENDER = bpy.app.binary_path
+NEWER = "99.0.0"
+
+SAVE = """
+import bpy
+obj = bpy.data.objects["Cube"]
+for name, vertices in (("a", [0]), ("b", [7])):
+    obj.vertex_groups.new(name=name).add(vertices, 1.0, "REPLACE")
+    bpy.ops.dirichlet.patch_add_group(group=name)
+obj.dirichlet.count = 7
+bpy.ops.dirichlet.solve_field()
+bpy.ops.dirichlet.make_isolines()
+bpy.ops.wm.save_as_mainfile(filepath={file!r})
+"""
+LOOK = """
+import addon_utils, bpy, json
+bpy.ops.wm.open_mainfile(filepath={file!r})
+obj = bpy.data.objects["Cube"]
+def state():
+    field = [item.value for item in obj.data.attributes["dirichlet_field"].data]
+    lines = [[point.co[:] for point in spline.points] for spline in obj.dirichlet.isolines.data.splines]
+    return [obj.dirichlet.count, [patch.group for patch in obj.dirichlet.patches], field, lines]
+saved = state()
+bpy.ops.dirichlet.solve_field()
+bpy.ops.dirichlet.make_isolines()
+enabled = [module for module in addon_utils.modules() if module.__name__ in bpy.context.preferences.addons.keys()]
+module = next(module for module in enabled if "dirichlet_isolines" in module.__name__)
+print("RESULT", json.dumps([saved, state(), addon_utils.module_bl_info(module)["version"]]))
+"""
+
+
+@pytest.fixture
+def archive(tmp_path):
+    return archives.archive_for(BLENDER, tmp_path)
+
+
+@pytest.fixture
+def environment(tmp_path):
+    """Of a Blender whose user saved the preferences once."""
+    environment = configuration.empty(tmp_path / "home")
+    configuration.run(BLENDER, environment, "import bpy; bpy.ops.wm.save_userpref()")
+    return environment
+
+
+@pytest.fixture
+def look(environment, tmp_path):
+    """What another process finds in the file that SAVE wrote: state as saved, made anew, and the add-on's version."""
+    file = str(tmp_path / "saved.blend")
+
+    def find():
+        printed = configuration.run(BLENDER, environment, LOOK.format(file=file))
+        saved, anew, version = json.loads(printed.partition("RESULT")[2].splitlines()[0])
+        return saved, anew, ".".join(map(str, version))
+
+    configuration.install(BLENDER, environment, archives.archive_for(BLENDER, tmp_path))
+    configuration.run(BLENDER, environment, SAVE.format(file=file))
+    return find
+
+
+def files(environment):
+    home = configuration.home_of(environment)
+    return {str(path.relative_to(home)) for path in home.rglob("*") if path.is_file()}
+
+
+def test_a_saved_file_opens_in_another_process_and_gives_the_same_again(look):
+    saved, anew, _version = look()
+    assert saved[:2] == [7, ["a", "b"]]
+    assert len(saved[3]) >= 7
+    assert saved == anew
+
+
+def test_a_newer_version_over_it_keeps_it_enabled_and_opens_the_files(look, environment, tmp_path):
+    before, _, version = look()
+    assert version == archives.package_extension.project_version()
+    configuration.install(BLENDER, environment, archives.make_archive_for(BLENDER, tmp_path / "newer", NEWER))
+    saved, anew, version = look()
+    assert version == NEWER
+    assert saved == anew == before
+
+
+def test_installing_and_removing_leaves_nothing(environment, archive):
+    before = files(environment)
+    configuration.install(BLENDER, environment, archive)
+    assert any("dirichlet" in name for name in files(environment) - before)
+    configuration.run(BLENDER, environment, "import bpy; assert hasattr(bpy.types.Object, 'dirichlet')")
+    configuration.remove(BLENDER, environment, archive)
+    assert [name for name in files(environment) - before if "dirichlet" in name] == []
+    configuration.run(
+        BLENDER,
+        environment,
+        "import bpy; assert not any('dirichlet' in name for name in bpy.context.preferences.addons.keys())",
+    )
+
+
+def test_starting_with_it_prints_what_starting_without_it_prints(environment, archive):
+    use = "import bpy; bpy.ops.wm.read_homefile()"
+    before = configuration.run(BLENDER, environment, use)
+    configuration.install(BLENDER, environment, archive)
+    assert configuration.run(BLENDER, environment, use) == before
+    configuration.remove(BLENDER, environment, archive)
+    assert configuration.run(BLENDER, environment, use) == before

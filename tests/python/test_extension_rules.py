@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The add-on's zips keep the rules that Blender and users rely on, and a zip that breaks one is refused by its name."""
+
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "blender_scripts"))
+import extension_rules as rules  # noqa: E402
+import package_extension  # noqa: E402
+
+VERSION = package_extension.project_version()
+TAGS = ("cp311-cp311-manylinux_2_36_x86_64", "cp313-cp313-win_amd64", "cp314-cp314-macosx_11_0_arm64")
+
+
+def wheel(folder, tag=TAGS[0], version=VERSION):
+    target = folder / f"dirichlet_surface-{version}-{tag}.whl"
+    with zipfile.ZipFile(target, "w") as archive:
+        archive.writestr("dirichlet_surface/__init__.py", "")
+        archive.writestr("dirichlet_surface/_native.so", "")
+    return target
+
+
+@pytest.fixture
+def extension(tmp_path):
+    """Packaged as for users, with wheels that hold nothing."""
+    package_extension.make(tmp_path, [wheel(tmp_path, tag) for tag in TAGS], VERSION)
+    return tmp_path / f"dirichlet_isolines-{VERSION}.zip"
+
+
+def rewritten(archive, change):
+    """A copy in which `change` has taken the texts of the files, by their names, and given others."""
+    with zipfile.ZipFile(archive) as content:
+        files = change({name: content.read(name) for name in content.namelist()})
+    with zipfile.ZipFile(archive, "w") as content:
+        for name, text in files.items():
+            content.writestr(name, text)
+    return archive
+
+
+def replaced(name, old, new):
+    def change(files):
+        assert old in files[name]
+        return files | {name: files[name].replace(old, new)}
+
+    return change
+
+
+def test_the_zips_keep_the_rules_and_say_their_platforms(extension):
+    rules.check_extension(extension, VERSION)
+    rules.check_legacy(extension.with_name(f"dirichlet_isolines-{VERSION}-legacy.zip"), VERSION)
+    manifest = zipfile.ZipFile(extension).read("blender_manifest.toml").decode()
+    assert 'platforms = ["linux-x64", "macos-arm64", "windows-x64"]' in manifest
+    assert all(tag in manifest for tag in TAGS)
+
+
+def test_the_same_input_gives_the_same_bytes(extension, tmp_path):
+    again = tmp_path / "again"
+    package_extension.make(again, sorted(tmp_path.glob("*.whl")), VERSION)
+    for made in again.glob("*.zip"):
+        assert made.read_bytes() == (tmp_path / made.name).read_bytes()
+    assert len(list(again.glob("*.zip"))) == 2
+
+
+def test_without_a_wheel_for_its_python_there_is_no_legacy_zip(tmp_path):
+    package_extension.make(tmp_path, [wheel(tmp_path, TAGS[1])], VERSION)
+    assert [made.name for made in tmp_path.glob("*.zip")] == [f"dirichlet_isolines-{VERSION}.zip"]
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        (replaced("__init__.py", b'"name": "Dirichlet', b'"name": "Other'), "name differs"),
+        (replaced("__init__.py", b'"version": (', b'"version": (7, '), "version differs"),
+        (replaced("__init__.py", b'"category": "Mesh"', b'"category": "Paper"'), "category 'Paper' is none of"),
+        (replaced("blender_manifest.toml", b"maintainer", b"owner"), "the manifest has no maintainer"),
+        (replaced("blender_manifest.toml", b"SPDX:", b""), "no SPDX name"),
+        (replaced("blender_manifest.toml", b"[build]", b"[permissions]\nnetwork = 'why'\n[build]"), "asks for network"),
+        (replaced("blender_manifest.toml", b'"linux-x64", ', b""), "says platforms"),
+        (replaced("blender_manifest.toml", b"cp314-cp314", b"cp315-cp315"), "the manifest lists the wheels"),
+        (lambda files: files | {"ui/__pycache__/panels.pyc": b""}, "which nobody needs"),
+    ],
+)
+def test_what_breaks_a_rule_is_refused(extension, change, sentence):
+    with pytest.raises(rules.RuleError, match=sentence):
+        rules.check_extension(rewritten(extension, change), VERSION)
+
+
+def test_a_wheel_of_another_version_is_refused(tmp_path):
+    with pytest.raises(rules.RuleError, match=r"wheel for cp313 has version 0\.0\.9"):
+        package_extension.make(tmp_path, [wheel(tmp_path, TAGS[1], version="0.0.9")], VERSION)
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("dirichlet_surface.zip", "is no name of a wheel"),
+        ("dirichlet_surface-1-py3-none-any.whl", "expected one version of CPython"),
+        ("dirichlet_surface-1-cp311-cp311-any.whl", "no platform of Blender"),
+    ],
+)
+def test_a_wheel_that_blender_could_not_choose_is_refused(name, sentence):
+    with pytest.raises(rules.RuleError, match=sentence):
+        rules.read_wheel_name(name)
