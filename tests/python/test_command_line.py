@@ -8,7 +8,16 @@ import sys
 
 import numpy as np
 import pytest
-from dirichlet_surface import even_levels, isolines, level_through_point, read_mesh, solve, stepped_levels, write_mesh
+from dirichlet_surface import (
+    LAPLACIANS,
+    even_levels,
+    isolines,
+    level_through_point,
+    read_mesh,
+    solve,
+    stepped_levels,
+    write_mesh,
+)
 from dirichlet_surface.command_line import main
 from dirichlet_surface.patch_argument import parse_patch
 from mesh_makers import joined, sphere
@@ -82,6 +91,20 @@ def test_both_methods_are_at_hand():
     with open("report.json") as file:
         assert json.load(file)["solve"]["method"] == "lscg"
     np.testing.assert_allclose(np.load("field.npy"), expected_field()[1].values, atol=1e-8)
+
+
+def test_every_laplacian_is_at_hand_and_auto_says_what_it_took(capfd):
+    mesh, _ = expected_field()
+    north = np.flatnonzero(np.linalg.norm(mesh.positions - [0, 0, 1], axis=1) <= 0.5)
+    vertices, values = np.concatenate((north, np.arange(104, 110))), np.repeat([1.0, 0.0], [len(north), 6])
+    for laplacian in LAPLACIANS:
+        run(*PAINT, "--laplacian", laplacian, "--out-field", "field.npy", "--report", "report.json")
+        field = solve(mesh, vertices, values, laplacian=laplacian)
+        assert_array_equal(np.load("field.npy"), field.values)
+        with open("report.json") as file:
+            assert json.load(file)["solve"]["laplacian"] == field.report.laplacian
+        said = f"laplacian: {field.report.laplacian}, as {field.report.reason}\n"
+        assert (said in capfd.readouterr().out) == (laplacian == "auto")
 
 
 @pytest.mark.parametrize(

@@ -172,6 +172,7 @@ def run(args: argparse.Namespace) -> str:
         [
             f"{args.mesh}: {mesh.vertex_count} vertices, {mesh.face_count} faces",
             f"field: {field.report.summary()}",
+            *([f"laplacian: {taken.laplacian}, as {taken.reason}"] if (taken := field.report).reason else []),
             f"isolines: {len(lines)} on {len(lines.levels)} levels, {closed} closed, {len(lines) - closed} open",
             *(f"warning: {text}" for text in (*painting.warnings, *field.report.warnings, *lines.warnings)),
             *(f"wrote {path}" for path in (args.out_field, args.out_lines, args.report) if path),
