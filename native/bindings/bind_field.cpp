@@ -96,10 +96,10 @@ py::tuple solve(const HarmonicSolver& solver, const Values& values, const std::o
 /// indptr, indices and data of a matrix that is made without the GIL, and that they keep alive.
 template <class Make>
 py::tuple csr(const Make& make_matrix) {
-  auto owner = std::make_unique<SparseMatrix>();
+  std::unique_ptr<SparseMatrix> owner;
   {
     const py::gil_scoped_release release;
-    *owner = make_matrix();
+    owner.reset(new SparseMatrix(make_matrix())); // in place: Eigen 3.4 copies what is moved
   }
   const SparseMatrix& K = *owner;
   const py::capsule capsule(owner.release(), [](void* pointer) { delete static_cast<SparseMatrix*>(pointer); });
@@ -114,7 +114,12 @@ py::tuple injected_matrix(const Mesh& mesh, const Array<Index>& painted, const s
 }
 
 py::tuple stiffness(const Mesh& mesh, const std::string& laplacian) {
-  return csr([&] { return make_stiffness(mesh, named<Laplacian>(kLaplacians, laplacian)).K; });
+  return csr([&] {
+    Stiffness made = make_stiffness(mesh, named<Laplacian>(kLaplacians, laplacian));
+    SparseMatrix K;
+    K.swap(made.K);
+    return K;
+  });
 }
 
 py::array mass(const Mesh& mesh, const std::string& laplacian) {

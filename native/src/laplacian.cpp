@@ -33,66 +33,62 @@ bool has_maximum_principle(const SparseMatrix& K) {
   return attracting;
 }
 
-Stiffness graph(const Mesh& mesh) {
-  Stiffness result{Laplacian::graph, {}, graph_stiffness(mesh), {}};
-  const Eigen::VectorXd D = result.K.diagonal();
-  result.mass.assign(D.begin(), D.end());
-  return result;
+// Eigen 3.4 copies what is moved: a stiffness is filled in where it stays, and its matrix swapped in.
+
+void take(SparseMatrix&& K, Stiffness& result) {
+  result.K.swap(K);
+  result.maximum_principle = has_maximum_principle(result.K);
 }
 
-/// All but K.
-Stiffness begin(Laplacian laplacian, std::vector<double> mass, const FlatFaces& flat) {
-  Stiffness result{laplacian, {}, {}, std::move(mass)};
+void note(Laplacian laplacian, const FlatFaces& flat, Stiffness& result) {
+  result.laplacian = laplacian;
   result.flat_faces = flat.count;
   result.first_flat = flat.count == 0 ? -1 : flat.first;
-  return result;
 }
 
-Stiffness cotangent(const Mesh& mesh, const Cotangents& cotangents) {
-  Stiffness result = begin(Laplacian::cotangent, cotangents.mass, cotangents.flat);
-  result.K = cotangent_stiffness(mesh, cotangents.weights);
-  result.maximum_principle = has_maximum_principle(result.K);
-  return result;
+void make_graph(const Mesh& mesh, Stiffness& result) {
+  take(graph_stiffness(mesh), result);
+  const Eigen::VectorXd D = result.K.diagonal();
+  result.mass.assign(D.begin(), D.end());
 }
 
-Stiffness intrinsic_delaunay(const Mesh& mesh, const Cotangents& cotangents) {
-  Stiffness result = begin(Laplacian::intrinsic_delaunay, cotangents.mass, cotangents.flat);
-  result.K = intrinsic_delaunay_stiffness(mesh.triangulated());
-  result.maximum_principle = has_maximum_principle(result.K);
-  return result;
+void make_of_triangles(const Mesh& mesh, Laplacian laplacian, const Cotangents& cotangents, Stiffness& result) {
+  note(laplacian, cotangents.flat, result);
+  result.mass = cotangents.mass;
+  take(laplacian == Laplacian::cotangent ? cotangent_stiffness(mesh, cotangents.weights)
+                                         : intrinsic_delaunay_stiffness(mesh.triangulated()),
+       result);
 }
 
-Stiffness polygon(PolygonLaplacian&& polygons) {
-  Stiffness result = begin(Laplacian::polygon, std::move(polygons.mass), polygons.flat);
-  result.K = std::move(polygons.K);
-  result.maximum_principle = has_maximum_principle(result.K);
-  return result;
+void make_polygon(PolygonLaplacian& polygons, Stiffness& result) {
+  note(Laplacian::polygon, polygons.flat, result);
+  result.mass.swap(polygons.mass);
+  take(std::move(polygons.K), result);
 }
 
-Stiffness because(const char* reason, Stiffness result) {
-  result.reason = reason;
-  return result;
+void choose_graph(const Mesh& mesh, Stiffness& result) {
+  make_graph(mesh, result);
+  result.reason = "no face has an area, and the graph Laplacian needs none";
 }
 
-constexpr const char* kFlat = "no face has an area, and the graph Laplacian needs none";
-
-Stiffness choose_for_triangles(const Mesh& mesh) {
+void choose_for_triangles(const Mesh& mesh, Stiffness& result) {
   const Cotangents cotangents = measure_cotangents(mesh);
-  if (cotangents.flat.count == mesh.face_count()) return because(kFlat, graph(mesh));
-  Stiffness result = cotangent(mesh, cotangents);
-  if (result.maximum_principle) return because("no cotangent weight of these triangles is negative", std::move(result));
-  return because("some cotangent weights of these triangles are negative, and flipped edges mend that",
-                 intrinsic_delaunay(mesh, cotangents));
+  if (cotangents.flat.count == mesh.face_count()) return choose_graph(mesh, result);
+  make_of_triangles(mesh, Laplacian::cotangent, cotangents, result);
+  result.reason = "no cotangent weight of these triangles is negative";
+  if (result.maximum_principle) return;
+  make_of_triangles(mesh, Laplacian::intrinsic_delaunay, cotangents, result);
+  result.reason = "some cotangent weights of these triangles are negative, and flipped edges mend that";
 }
 
-Stiffness choose_for_polygons(const Mesh& mesh) {
+void choose_for_polygons(const Mesh& mesh, Stiffness& result) {
   PolygonLaplacian polygons = polygon_laplacian(mesh);
-  if (polygons.flat.count == mesh.face_count()) return because(kFlat, graph(mesh));
-  Stiffness result = polygon(std::move(polygons));
-  if (result.maximum_principle)
-    return because("the faces are polygons none of whose weights is negative", std::move(result));
-  return because("some weights of these polygons are negative, and those of triangles with flipped edges are not",
-                 intrinsic_delaunay(mesh, measure_cotangents(mesh)));
+  if (polygons.flat.count == mesh.face_count()) return choose_graph(mesh, result);
+  make_polygon(polygons, result);
+  result.reason = "the faces are polygons none of whose weights is negative";
+  if (result.maximum_principle) return;
+  make_of_triangles(mesh, Laplacian::intrinsic_delaunay, measure_cotangents(mesh), result);
+  result.reason = "some weights of these polygons are negative, and those of triangles with flipped edges are not";
 }
 
 void require_area(const Mesh& mesh, const FlatFaces& flat) {
@@ -104,17 +100,21 @@ void require_area(const Mesh& mesh, const FlatFaces& flat) {
 } // namespace
 
 Stiffness make_stiffness(const Mesh& mesh, Laplacian laplacian) {
-  if (laplacian == Laplacian::graph) return graph(mesh);
-  if (laplacian == Laplacian::automatic)
-    return mesh.is_triangular() ? choose_for_triangles(mesh) : choose_for_polygons(mesh);
-  if (laplacian == Laplacian::polygon) {
+  Stiffness result;
+  if (laplacian == Laplacian::graph) {
+    make_graph(mesh, result);
+  } else if (laplacian == Laplacian::automatic) {
+    mesh.is_triangular() ? choose_for_triangles(mesh, result) : choose_for_polygons(mesh, result);
+  } else if (laplacian == Laplacian::polygon) {
     PolygonLaplacian polygons = polygon_laplacian(mesh);
     require_area(mesh, polygons.flat);
-    return polygon(std::move(polygons));
+    make_polygon(polygons, result);
+  } else {
+    const Cotangents cotangents = measure_cotangents(mesh);
+    require_area(mesh, cotangents.flat);
+    make_of_triangles(mesh, laplacian, cotangents, result);
   }
-  const Cotangents cotangents = measure_cotangents(mesh);
-  require_area(mesh, cotangents.flat);
-  return laplacian == Laplacian::cotangent ? cotangent(mesh, cotangents) : intrinsic_delaunay(mesh, cotangents);
+  return result;
 }
 
 SparseMatrix graph_stiffness(const Mesh& mesh) {
@@ -151,19 +151,20 @@ SparseMatrix graph_stiffness(const Mesh& mesh) {
 }
 
 SparseMatrix laplace_operator(Stiffness stiffness) {
-  SparseMatrix& K = stiffness.K;
-  for (Index i = 0; i < K.rows(); ++i) {
+  SparseMatrix L;
+  L.swap(stiffness.K);
+  for (Index i = 0; i < L.rows(); ++i) {
     double mass = stiffness.mass[at(i)];
-    if (mass == 0) mass = K.coeff(i, i);
+    if (mass == 0) mass = L.coeff(i, i);
     if (mass == 0) continue;
-    for (SparseMatrix::InnerIterator entry(K, i); entry; ++entry) {
+    for (SparseMatrix::InnerIterator entry(L, i); entry; ++entry) {
       entry.valueRef() /= mass;
       if (!std::isfinite(entry.value()))
         throw InputError(message("vertex ", i, " has a mass of ", mass,
                                  ", whose inverse is too large a number: give the mesh a larger scale"));
     }
   }
-  return std::move(K);
+  return L;
 }
 
 SparseMatrix random_walk(SparseMatrix stiffness) {
