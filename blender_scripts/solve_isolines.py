@@ -3,7 +3,8 @@
 
 blender --background [FILE.blend] --python blender_scripts/solve_isolines.py -- [MESHFILE] [--object NAME]
     [--group NAME=VALUE]... [--patch NAME=VALUE@PLACE]... [--isolines N]... [--save OUT.blend] [--render OUT.png]
-Values are kept in single precision, as Blender keeps all of them.
+Values are kept in single precision, as Blender keeps all of them. Without --overlap, --laplacian and --method it is as
+the object's settings say.
 Exit code 0; or 2 after one sentence on stderr, and then nothing is written.
 """
 
@@ -25,6 +26,7 @@ from addon_loader import part, run_with_addon, script_words
 from mesh_object import add_mesh_object
 from saving import render_object, save_blend
 
+_SETTINGS = ("overlap", "laplacian", "method")  # words that are settings of the object, too
 _SUMMARY = f"{__doc__.splitlines()[0]} The patches' values are kept in single precision."
 
 
@@ -55,6 +57,7 @@ def parse(command_line: ModuleType) -> argparse.Namespace:
     parser.add_argument("--save", type=_ending(".blend"), metavar="OUT.blend", help="the file with field and isolines")
     parser.add_argument("--render", type=_ending(".png"), metavar="OUT.png", help="a picture of the object")
     parser.add_argument("--size", type=int, nargs=2, default=(1200, 1000), metavar=("W", "H"), help="of the picture")
+    parser.set_defaults(**dict.fromkeys(_SETTINGS))
     args = parser.parse_args(command_line.shield_numbers(script_words()))
     if args.mesh and args.object:
         parser.error("name a mesh file or an object, not both")
@@ -80,7 +83,8 @@ def choose_object(surface: ModuleType, args: argparse.Namespace) -> bpy.types.Ob
 def set_patches(addon: ModuleType, obj: bpy.types.Object, args: argparse.Namespace) -> None:
     """Puts the groups and patches asked for into the add-on's list; nothing asked for leaves the list as it is."""
     surface, settings = part(addon, "library").load(), obj.dirichlet
-    settings.overlap, settings.laplacian, settings.method = args.overlap, args.laplacian, args.method
+    for name in _SETTINGS:
+        setattr(settings, name, getattr(args, name) or getattr(settings, name))
     if not args.groups and not args.patches:
         return
     positions = part(addon, "blender.mesh.meshes").read_positions(obj.data)
@@ -91,7 +95,9 @@ def set_patches(addon: ModuleType, obj: bpy.types.Object, args: argparse.Namespa
     for name, value in groups:
         _list_patch(settings, name, value)
     asked_for = [*part(addon, "blender.paint.painting").read_patches(obj), *patches]
-    surface.combine_patches(asked_for, len(positions), args.overlap)  # groups would drop vertices outside in silence
+    surface.combine_patches(
+        asked_for, len(positions), settings.overlap
+    )  # groups drop vertices outside in silence
     for patch in patches:
         group = part(addon, "blender.mesh.groups").add_group(obj, patch.name, patch.vertices)
         _list_patch(settings, group, patch.values)

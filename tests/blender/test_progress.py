@@ -165,6 +165,12 @@ def test_expected_memory_is_what_was_measured(module, vertices, measured):
     assert expected == pytest.approx(measured, rel=0.1)
 
 
+def test_expected_memory_of_polygons_is_what_was_measured(module):
+    of_field = module("expected_memory").of_field
+    for corners, measured in ((4, 1244), (6, 1814)):
+        assert of_field(125_000, "direct", None, corners) / 125_000 == pytest.approx(measured, rel=0.1)
+
+
 def test_expected_memory_keeps_to_the_budget_where_the_method_does(module):
     of_field = module("expected_memory").of_field
     assert of_field(10**6, "auto", 10**9) == 10**9
