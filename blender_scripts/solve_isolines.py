@@ -95,9 +95,7 @@ def set_patches(addon: ModuleType, obj: bpy.types.Object, args: argparse.Namespa
     for name, value in groups:
         _list_patch(settings, name, value)
     asked_for = [*part(addon, "blender.paint.painting").read_patches(obj), *patches]
-    surface.combine_patches(
-        asked_for, len(positions), settings.overlap
-    )  # groups drop vertices outside in silence
+    surface.combine_patches(asked_for, len(positions), settings.overlap)  # groups drop vertices outside in silence
     for patch in patches:
         group = part(addon, "blender.mesh.groups").add_group(obj, patch.name, patch.vertices)
         _list_patch(settings, group, patch.values)

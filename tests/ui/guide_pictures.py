@@ -16,6 +16,7 @@ CUTS = {  # in the docs: what was taken, and how it is cut
     "result": (["06-result.png"], VIEWPORT),
     "animation": (["frame-01.png", "frame-09.png", "frame-17.png"], ("+append", "-resize", "1000x")),
     "stripes": (["stripes.png"], ()),
+    "uneven-faces": (["uneven-graph.png", "uneven-intrinsic_delaunay.png"], ("-append",)),
 }
 
 

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What docs/guide.md tells, done step by step; ../guide_pictures.py makes its pictures of what is seen here."""
 
+import math
+
 import bpy
 import hand
+import scene
 import screen
 from canvas import ball as head
 from canvas import go_to, stroke
@@ -128,6 +131,52 @@ def stripes() -> Waiting:
     yield 1
 
 
+def uneven_faces() -> Waiting:
+    """A strip of faces that are small on the left: lines by neighbors alone, then by the shape."""
+    for obj in (head(), head().dirichlet.isolines):
+        obj.hide_render = True
+    strip, edges = _uneven_strip(), _showing_edges()
+    _activate(strip)
+    bpy.context.scene.camera.location, bpy.context.scene.camera.rotation_euler = (0, -3, 0), (math.pi / 2, 0, 0)
+    bpy.context.scene.render.resolution_y = 140
+    for laplacian in ("graph", "intrinsic_delaunay"):
+        strip.dirichlet.laplacian = laplacian
+        with screen.at():
+            bpy.ops.dirichlet.solve_field()
+            bpy.ops.dirichlet.make_isolines()
+        strip.material_slots[0].material = edges
+        _render(f"uneven-{laplacian}")
+    yield 1
+
+
+def _uneven_strip() -> bpy.types.Object:
+    """Painted 0 and 1 at its ends."""
+    across = [k / 24 - 1 for k in range(24)] + [k / 4 for k in range(5)]
+    n = len(across)
+    first = [x + n * z for z in range(4) for x in range(n - 1)]
+    with screen.at():
+        strip = scene.add(
+            [(x, 0, z / 8 - 0.25) for z in range(5) for x in across], [(v, v + 1, v + n + 1, v + n) for v in first]
+        )
+    scene.paint(strip, "left", range(0, 5 * n, n), 0.0)
+    scene.paint(strip, "right", range(n - 1, 5 * n, n), 1.0)
+    strip.dirichlet.count, strip.dirichlet.bevel_depth = 15, 0.003
+    return strip
+
+
+def _showing_edges() -> bpy.types.Material:
+    material = bpy.data.materials.new("Edges")
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    edges, shades = nodes.new("ShaderNodeWireframe"), nodes.new("ShaderNodeValToRGB")
+    edges.inputs["Size"].default_value = 0.006
+    for shade, grey in zip(shades.color_ramp.elements, (0.7, 0.3)):
+        shade.color = (grey, grey, grey, 1)
+    links.new(edges.outputs[0], shades.inputs[0])
+    links.new(shades.outputs[0], nodes["Principled BSDF"].inputs["Base Color"])
+    return material
+
+
 def _activate(obj: bpy.types.Object) -> None:
     with screen.at():
         bpy.ops.object.select_all(action="DESELECT")
@@ -136,15 +185,15 @@ def _activate(obj: bpy.types.Object) -> None:
 
 
 def _set_studio() -> None:
-    scene = bpy.context.scene
+    studio = bpy.context.scene
     with screen.at():
         bpy.ops.object.camera_add(location=(0.5, -5, 0.6), rotation=(1.47, 0, 0.1))
-        scene.camera = bpy.context.object
+        studio.camera = bpy.context.object
         bpy.ops.object.light_add(type="SUN", rotation=(0.8, 0.3, 0))
         bpy.context.object.data.energy = 2
-    scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = "CYCLES", 32, False
-    scene.view_settings.view_transform = "Standard"
-    scene.render.resolution_x, scene.render.resolution_y = 480, 400
+    studio.render.engine, studio.cycles.samples, studio.cycles.use_denoising = "CYCLES", 32, False
+    studio.view_settings.view_transform = "Standard"
+    studio.render.resolution_x, studio.render.resolution_y = 480, 400
 
 
 def _render(name: str) -> None:
@@ -152,4 +201,4 @@ def _render(name: str) -> None:
     bpy.ops.render.render(write_still=True)
 
 
-run(install, model, first_field, preview_and_window, live_painting, result, animation, stripes)
+run(install, model, first_field, preview_and_window, live_painting, result, animation, stripes, uneven_faces)
