@@ -243,7 +243,7 @@ def test_needles_and_caps_in_a_plane_hardly_disturb_a_linear_function(laplacian,
     rim = border(soup)
     linear = soup.positions @ [1.0, 0.5, 0.0]
     field = solve(soup.mesh(), rim, linear[rim], laplacian=laplacian, method=method)
-    assert_allclose(field.values, linear, rtol=0, atol=1e-3 if laplacian == "intrinsic_delaunay" else 1e-6)
+    assert_allclose(field.values, linear, rtol=0, atol=1e-6)
 
 
 def test_a_weight_too_large_for_single_precision_is_named_as_such():
