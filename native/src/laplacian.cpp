@@ -87,8 +87,12 @@ void choose_for_polygons(const Mesh& mesh, Stiffness& result) {
   make_polygon(polygons, result);
   result.reason = "the faces are polygons none of whose weights is negative";
   if (result.maximum_principle) return;
-  make_of_triangles(mesh, Laplacian::intrinsic_delaunay, measure_cotangents(mesh), result);
-  result.reason = "some weights of these polygons are negative, and those of triangles with flipped edges are not";
+  try {
+    make_of_triangles(mesh, Laplacian::intrinsic_delaunay, measure_cotangents(mesh), result);
+    result.reason = "some weights of these polygons are negative, and those of triangles with flipped edges are not";
+  } catch (const TopologyError&) {
+    result.reason = "a polygon crosses itself, so there are no triangles whose edges could be flipped";
+  }
 }
 
 void require_area(const Mesh& mesh, const FlatFaces& flat) {

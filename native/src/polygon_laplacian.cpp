@@ -19,6 +19,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using Place = Eigen::Index; ///< of a corner in its polygon
 
 /// Some x with A x = b for a positive semi-definite A, 0 in directions that do not stand out of rounding.
 Vector3d solve_as_far_as_known(const Matrix3d& A, const Vector3d& b) {
@@ -37,7 +38,7 @@ class PolygonElement {
   explicit PolygonElement(std::span<const double> positions) : positions_(positions) {}
 
   void load(std::span<const Index> corners) {
-    size_ = corners.size();
+    size_ = static_cast<Place>(corners.size());
     place(corners);
     if (size_ == 3) return load_triangle();
     find_virtual_vertex();
@@ -48,11 +49,11 @@ class PolygonElement {
   /// All triangles are.
   [[nodiscard]] bool is_flat() const { return flat_; }
   /// (k,) the share of every corner
-  [[nodiscard]] std::span<const double> mass() const { return mass_; }
+  [[nodiscard]] const Eigen::VectorXd& mass() const { return mass_; }
 
   /// Of the corners i < j: −(Pᵀ K P)(i,j) for the stiffness K of the triangles and P, which writes the virtual vertex
   /// as Σ weights_[i] corner i.
-  [[nodiscard]] double pair_weight(std::size_t i, std::size_t j) const {
+  [[nodiscard]] double pair_weight(Place i, Place j) const {
     const double around = spokes_[i] * weights_[j] + spokes_[j] * weights_[i] - weights_[i] * weights_[j] * all_spokes_;
     if (j == i + 1) return around + sides_[i];
     return i == 0 && j + 1 == size_ ? around + sides_[j] : around;
@@ -63,12 +64,12 @@ class PolygonElement {
   void place(std::span<const Index> corners) {
     const Vector3 origin = point(positions_, corners.front());
     double size = 0, farthest = 0;
-    points_.resize(3, static_cast<Eigen::Index>(size_));
-    for (std::size_t i = 0; i < size_; ++i) {
-      const Vector3 p = point(positions_, corners[i]), q = p - origin;
+    points_.resize(3, size_);
+    for (Place i = 0; i < size_; ++i) {
+      const Vector3 p = point(positions_, corners[static_cast<std::size_t>(i)]), q = p - origin;
       farthest = std::max(farthest, largest_part(p));
       size = std::max(size, largest_part(q));
-      points_.col(static_cast<Eigen::Index>(i)) << q.x, q.y, q.z;
+      points_.col(i) << q.x, q.y, q.z;
     }
     scale_ = unit_scale(size);
     rounding_ = rounding_of(scale_ * farthest);
@@ -77,21 +78,21 @@ class PolygonElement {
     points_.colwise() -= mean;
   }
 
-  [[nodiscard]] Vector3d side(std::size_t i) const { return corner(i + 1 == size_ ? 0 : i + 1) - corner(i); }
-  [[nodiscard]] Vector3d corner(std::size_t i) const { return points_.col(static_cast<Eigen::Index>(i)); }
+  [[nodiscard]] Vector3d side(Place i) const { return corner(i + 1 == size_ ? 0 : i + 1) - corner(i); }
+  [[nodiscard]] Vector3d corner(Place i) const { return points_.col(i); }
 
   void load_triangle() {
     const auto shape = triangle_shape({to_vector3(corner(0)), to_vector3(corner(1)), to_vector3(corner(2))}, rounding_);
     flat_ = shape.flat;
     weights_ = spokes_ = Vector3d::Zero();
     sides_ = Vector3d(shape.cotangents[2], shape.cotangents[0], shape.cotangents[1]) / 2;
-    mass_.assign(3, shape.area / scale_ / scale_ / 3);
+    mass_.setConstant(3, shape.area / scale_ / scale_ / 3);
   }
 
   void find_virtual_vertex() {
     Matrix3d A = Matrix3d::Zero();
     Vector3d b = Vector3d::Zero();
-    for (std::size_t i = 0; i < size_; ++i) {
+    for (Place i = 0; i < size_; ++i) {
       const Vector3d e = side(i), p = corner(i);
       A += e.squaredNorm() * Matrix3d::Identity() - e * e.transpose();
       b += e.squaredNorm() * p - e.dot(p) * e;
@@ -102,18 +103,17 @@ class PolygonElement {
     weights_.array() += 1 / static_cast<double>(size_);
     virtual_ = points_ * weights_;
     normal_.setZero();
-    for (std::size_t i = 0; i < size_; ++i) normal_ += corner(i).cross(side(i));
+    for (Place i = 0; i < size_; ++i) normal_ += corner(i).cross(side(i));
   }
 
   /// The triangles around the virtual vertex.
   void find_spokes() {
-    const auto size = static_cast<Eigen::Index>(size_);
-    spokes_.setZero(size);
-    sides_.setZero(size);
-    areas_.setZero(size);
+    spokes_.setZero(size_);
+    sides_.setZero(size_);
+    areas_.setZero(size_);
     flat_ = true;
-    for (std::size_t i = 0; i < size_; ++i) {
-      const std::size_t next = i + 1 == size_ ? 0 : i + 1;
+    for (Place i = 0; i < size_; ++i) {
+      const Place next = i + 1 == size_ ? 0 : i + 1;
       const Vector3d from = corner(i), to = corner(next);
       const auto shape = triangle_shape({to_vector3(from), to_vector3(to), to_vector3(virtual_)}, rounding_);
       flat_ = flat_ && shape.flat;
@@ -130,19 +130,19 @@ class PolygonElement {
     const double area = areas_.sum();
     const auto shares = [&](const Eigen::VectorXd& areas, const Eigen::VectorXd& weights) {
       mass_.resize(size_);
-      for (std::size_t i = 0; i < size_; ++i)
+      for (Place i = 0; i < size_; ++i)
         mass_[i] = (areas[i] + areas[i == 0 ? size_ - 1 : i - 1] + weights[i] * area) / 3;
     };
     shares(areas_, weights_);
-    if (*std::min_element(mass_.begin(), mass_.end()) < 0) {
+    if (mass_.minCoeff() < 0) {
       const Eigen::VectorXd sizes = areas_.cwiseAbs() * (area / areas_.cwiseAbs().sum());
       shares(sizes, Eigen::VectorXd::Constant(sizes.size(), 1 / static_cast<double>(size_)));
     }
-    for (double& mass : mass_) mass = mass / scale_ / scale_;
+    mass_ = mass_ / scale_ / scale_;
   }
 
   std::span<const double> positions_;
-  std::size_t size_ = 0;
+  Place size_ = 0;
   double scale_ = 1, rounding_ = 0;
   Eigen::Matrix<double, 3, Eigen::Dynamic> points_;
   Eigen::VectorXd weights_;        ///< (k,) of the virtual vertex
@@ -151,7 +151,7 @@ class PolygonElement {
   Eigen::VectorXd areas_;          ///< (k,) of the triangles; negative where seen from behind
   double all_spokes_ = 0;          ///< their sum
   bool flat_ = true;
-  std::vector<double> mass_;
+  Eigen::VectorXd mass_;
 };
 
 /// (F + 1,) where the pairs of every face start. \throws InputError  too many
@@ -188,7 +188,7 @@ PolygonLaplacian polygon_laplacian(const Mesh& mesh) {
         for (std::size_t j = i + 1; j < polygon.size(); ++j, ++pair) {
           pairs[2 * pair] = polygon[i];
           pairs[2 * pair + 1] = polygon[j];
-          weights[pair] = element.pair_weight(i, j);
+          weights[pair] = element.pair_weight(static_cast<Place>(i), static_cast<Place>(j));
         }
       return element.is_flat();
     };

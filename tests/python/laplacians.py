@@ -92,6 +92,12 @@ def used(soup: Soup) -> Soup:
     return Soup(soup.positions[names], [[int(number[v]) for v in face] for face in soup.faces])
 
 
+def pentagram() -> Soup:
+    """A polygon that crosses itself."""
+    angle = 4 * np.pi * np.arange(5) / 5
+    return Soup(np.column_stack((np.sin(angle), np.cos(angle), 0 * angle)), [list(range(5))])
+
+
 def border(soup: Soup) -> np.ndarray:
     return np.unique(soup.mesh().border_loops()[1])
 

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from dirichlet_surface import LAPLACIANS, HarmonicSolver, InputError, SolverError, solve
-from laplacians import GEOMETRIC, border, hexagons, obtuse_strip, rotated, shaken
+from laplacians import GEOMETRIC, border, hexagons, obtuse_strip, pentagram, rotated, shaken
 from mesh_makers import ZOO, Soup, cylinder, grid, joined, sphere, torus
 from numpy.testing import assert_allclose, assert_array_equal
 from paintings import random_paint
@@ -168,15 +168,14 @@ def test_the_others_keep_it(laplacian):
     assert field.report.warnings == ()
 
 
+LONG = Soup(grid(5, 4, triangles=False).positions * [9, 1, 1], grid(5, 4, triangles=False).faces)
+
 CHOICES = {
     "right triangles": (grid(5, 4), "cotangent", "no cotangent weight of these triangles is negative"),
     "obtuse triangles": (obtuse_strip(5), "intrinsic_delaunay", "some cotangent weights of these triangles are"),
     "squares": (grid(5, 4, triangles=False), "polygon", "the faces are polygons none of whose weights is negative"),
-    "long quads": (
-        Soup(grid(5, 4, triangles=False).positions * [9, 1, 1], grid(5, 4, triangles=False).faces),
-        "intrinsic_delaunay",
-        "some weights of these polygons are negative",
-    ),
+    "long quads": (LONG, "intrinsic_delaunay", "some weights of these polygons are negative"),
+    "a polygon that crosses itself": (joined(LONG, pentagram()), "polygon", "a polygon crosses itself"),
     "a line": (Soup(grid(5, 1).positions * [1, 0, 0], grid(5, 1).faces), "graph", "no face has an area"),
 }
 

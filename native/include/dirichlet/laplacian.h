@@ -50,7 +50,7 @@ struct Stiffness {
 ///   corners: a block of k² entries. Source: Bunge, Herholz, Kazhdan, Botsch: "Polygon Laplacian Made Simple" (2020).
 ///   Reproduces linear functions of the plane where the virtual vertex sees every side, in convex polygons always.
 /// automatic: the graph where no face has an area; the cotangent or, if there are polygons, the polygon Laplacian where
-///   it has a maximum principle; else intrinsic_delaunay.
+///   it has a maximum principle; else intrinsic_delaunay, but polygon where a polygon has no triangulation.
 ///
 /// Coordinates may have any scale and offset. A triangle without height, or of a height below 1.5e-8 of its longest
 /// edge, counts as one of that height: a weight beyond its inverse would drown its neighbours in rounding.
