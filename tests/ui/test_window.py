@@ -26,3 +26,7 @@ def test_random_use_leaves_the_field_that_of_the_paint(archive):
 
 def test_previewed_lines_show_where_they_should(archive):
     run_inside("previewing", archive=archive, limit=300)
+
+
+def test_windows_come_and_go_and_so_does_the_addon(archive):
+    run_inside("windows", archive=archive, limit=300)
