@@ -282,7 +282,10 @@ def render_from_above(file, places):
     scene.collection.objects.link(camera)
     scene.camera = camera
     scene.world = bpy.data.worlds.new("world")
-    scene.world.color = (1, 1, 1)
+    if bpy.app.version < (5, 0, 0):
+        scene.world.use_nodes = True  # later worlds always do
+    background = next(node for node in scene.world.node_tree.nodes if node.type == "BACKGROUND")
+    background.inputs["Color"].default_value = (1, 1, 1, 1)
     scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = "CYCLES", 16, False
     scene.render.resolution_x, scene.render.resolution_y = 60, 20
     scene.view_settings.view_transform = "Standard"
