@@ -62,7 +62,8 @@ def run_inside(script: str, *words: str, archive: Path, limit: float) -> str:
     with tempfile.TemporaryDirectory() as home, screen(*size) as display, log.open("w") as output:
         environment = configuration.empty(Path(home)) | {"LIBGL_ALWAYS_SOFTWARE": "1", "DISPLAY": display}
         configuration.install(BLENDER, environment, archive)
-        start = f"import sys; sys.path[:0] = {[str(HERE / 'inside'), str(HERE.parent / 'blender')]}; import {script}"
+        places = [str(HERE / "inside"), str(HERE.parent / "blender")]
+        start = f"import sys; sys.path[:0] = {places}; import short_name, {script}"
         command = [BLENDER, "-noaudio", "--window-geometry", "0", "0", *map(str, size), "--python-expr", start]
         command += ["--", str(folder), *words]
         with subprocess.Popen(command, stdout=output, stderr=output, env=environment) as process:

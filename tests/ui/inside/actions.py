@@ -6,6 +6,7 @@ from random import Random
 
 import bmesh
 import bpy
+import dirichlet_isolines
 import hand
 import numpy as np
 import screen
@@ -203,7 +204,7 @@ def play(chance: Random) -> Waiting:
 def disable_and_enable(chance: Random) -> Waiting:
     for switch in (bpy.ops.preferences.addon_disable, bpy.ops.preferences.addon_enable):
         with screen.at():
-            switch(module="dirichlet_isolines")
+            switch(module=dirichlet_isolines.__name__)
         yield chance.choice((0, 0.3))
 
 

@@ -2,6 +2,7 @@
 """A mesh of four million vertices: whatever takes long shows how far it is, Esc ends it, and nothing has changed."""
 
 import bpy
+import dirichlet_isolines
 import hand
 import numpy as np
 import scene
@@ -59,7 +60,7 @@ def start() -> Waiting:
     scene.paint(obj, "left", range(0, SIDE * SIDE, SIDE), 0.0)
     scene.paint(obj, "right", range(SIDE - 1, SIDE * SIDE, SIDE), 1.0)
     obj.dirichlet.levels_mode, obj.dirichlet.smooth = "EQUAL_AREA", 1000
-    bpy.context.preferences.addons["dirichlet_isolines"].preferences.ask_vertices = 10_000_000
+    bpy.context.preferences.addons[dirichlet_isolines.__name__].preferences.ask_vertices = 10_000_000
     with screen.at():
         bpy.ops.view3d.view_axis(type="TOP")
         bpy.ops.view3d.view_selected()

@@ -2,6 +2,7 @@
 """A mesh large enough to wait for: progress, Esc, undo, and the question before a very large one."""
 
 import bpy
+import dirichlet_isolines
 import hand
 import scene
 import screen
@@ -72,7 +73,7 @@ def removing_the_object_meanwhile_is_survived() -> Waiting:
 
 
 def a_very_large_mesh_is_asked_about() -> Waiting:
-    bpy.context.preferences.addons["dirichlet_isolines"].preferences.ask_vertices = 100_000
+    bpy.context.preferences.addons[dirichlet_isolines.__name__].preferences.ask_vertices = 100_000
     assert invoke("solve_field") == {"CANCELLED"}
     yield 1
     yield from picture("question")
