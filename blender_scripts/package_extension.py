@@ -87,25 +87,31 @@ def print_content(target: Path) -> None:
     print(f"{target}: {target.stat().st_size / 1e6:.2f} MB\n")
 
 
-def make(out: Path, wheels: list[Path], version: str) -> None:
-    """Both zips, or without a wheel for its Python all but the legacy one. Raises RuleError."""
+def make(out: Path, wheels: list[Path], version: str) -> list[Path]:
+    """Both zips, or all but the legacy one where there is no wheel for its Python. Raises RuleError."""
     out.mkdir(parents=True, exist_ok=True)
     extension, legacy = out / f"{NAME}-{version}.zip", out / f"{NAME}-{version}-legacy.zip"
     of_legacy = next((wheel for wheel in wheels if read_wheel_name(wheel.name).python == LEGACY_TAG), None)
     with tempfile.TemporaryDirectory() as folder:
         write_extension(extension, version, wheels, Path(folder))
         check_extension(extension, version)
-        print_content(extension)
-        if of_legacy:
-            write_legacy(legacy, version, of_legacy, Path(folder))
-            check_legacy(legacy, version)
-            print_content(legacy)
-    if not of_legacy:
-        print(f"No {legacy.name}: that takes the wheel for {LEGACY_TAG}")
+        if not of_legacy:
+            return [extension]
+        write_legacy(legacy, version, of_legacy, Path(folder))
+        check_legacy(legacy, version)
+    return [extension, legacy]
+
+
+def main(out: Path, wheels: list[Path]) -> None:
+    made = make(out, wheels, project_version())
+    for target in made:
+        print_content(target)
+    if len(made) == 1:
+        print(f"No zip for Blender before 4.2: that takes the wheel for {LEGACY_TAG}")
 
 
 if __name__ == "__main__":
     try:
-        make(Path(sys.argv[1]), sorted(map(Path, sys.argv[2:]), key=lambda wheel: wheel.name), project_version())
+        main(Path(sys.argv[1]), sorted(map(Path, sys.argv[2:]), key=lambda wheel: wheel.name))
     except RuleError as error:
         raise SystemExit(f"package_extension.py: {error}") from None

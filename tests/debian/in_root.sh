@@ -57,6 +57,7 @@ readonly enter='
   mount -t overlay overlay -o "lowerdir=$project,upperdir=$root/mnt/written,workdir=$root/mnt/work" "$root/project"
   mount --bind "$root/srv/build" "$root/project/build"
   cp -L /etc/resolv.conf "$root/etc/resolv.conf"
+  mount --bind /etc/ssl/certs/ca-certificates.crt "$root/etc/ssl/certs/ca-certificates.crt" # whom this machine trusts
   exec chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 TERM="${TERM-dumb}" \
     sh -c "cd /project && exec \"\$@\"" sh "$@"
 '

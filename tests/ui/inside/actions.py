@@ -10,7 +10,7 @@ import dirichlet_isolines
 import hand
 import numpy as np
 import screen
-from canvas import add_ball, ball, go_to, stroke
+from canvas import add_ball, ball, go_to, paint_with, stroke
 from steps import Waiting, pictures
 
 _FILE = str(pictures / "soak.blend")
@@ -38,7 +38,7 @@ def paint(chance: Random) -> Waiting:
     go_to("WEIGHT_PAINT")
     obj = ball()
     obj.vertex_groups.active_index = chance.randrange(len(obj.vertex_groups))
-    bpy.context.scene.tool_settings.unified_paint_settings.weight = chance.choice((1, 1, 0))
+    paint_with(chance.choice((1, 1, 0)))
     yield 0.1
     yield from stroke(*((chance.uniform(-0.6, 0.6), chance.uniform(-0.6, 0.6)) for _ in range(2)))
 

@@ -36,6 +36,13 @@ def stroke(start: tuple[float, float], end: tuple[float, float]) -> Waiting:
     yield from hand.drag(hand.line(*(screen.pixel_of((x, 0, z)) for x, z in (start, end))))
 
 
+def paint_with(weight: float) -> None:
+    tools = bpy.context.scene.tool_settings
+    holder = tools.weight_paint if bpy.app.version >= (5, 0, 0) else tools  # weight_paint is None before its first use
+    if holder:
+        holder.unified_paint_settings.weight = weight
+
+
 def go_to(mode: str) -> None:
     with screen.at():
         bpy.context.view_layer.objects.active = ball()
@@ -51,5 +58,5 @@ def _look_at_it() -> Waiting:
     with screen.at():
         bpy.ops.view3d.view_axis(type="FRONT")
         bpy.ops.view3d.view_selected()
-    bpy.context.scene.tool_settings.unified_paint_settings.weight = 1
+    paint_with(1)
     yield 1

@@ -8,7 +8,7 @@ import hand
 import scene
 import screen
 from canvas import ball as head
-from canvas import go_to, stroke
+from canvas import go_to, paint_with, stroke
 from dirichlet_isolines.blender import live
 from steps import Waiting, pictures, run, until
 
@@ -78,7 +78,7 @@ def live_painting() -> Waiting:
     with screen.at():
         bpy.ops.dirichlet.patch_paint()
         bpy.ops.wm.tool_set_by_id(name="builtin_brush.Draw")
-    bpy.context.scene.tool_settings.unified_paint_settings.weight = 1
+    paint_with(1)
     screen.viewport().spaces.active.overlay.weight_paint_mode_opacity = 0.4
     yield 1
     yield from stroke((-0.15, -0.4), (-0.15, -0.8))
