@@ -30,6 +30,10 @@ std::vector<Range> painted_ranges(const Components& pieces, const Painting& pain
   return ranges;
 }
 
+bool keeps_range(Laplacian laplacian) {
+  return laplacian != Laplacian::cotangent && laplacian != Laplacian::polygon;
+}
+
 } // namespace
 
 void expect_result_or_refusal(const std::function<void()>& body) {
@@ -51,6 +55,7 @@ void expect_lawful_field(const Mesh& mesh, const Problem& problem, const Field& 
 
   const Components pieces = mesh.components();
   const std::vector<Range> ranges = painted_ranges(pieces, painting);
+  const double slack = keeps_range(problem.laplacian) ? 0 : field.report.farthest_outside;
   Index undefined = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const double value = field.values(v, 0);
@@ -59,7 +64,7 @@ void expect_lawful_field(const Mesh& mesh, const Problem& problem, const Field& 
     EXPECT_EQ(std::isnan(value), !painted) << "vertex " << v;
     EXPECT_FALSE(std::isinf(value)) << "vertex " << v;
     if (painted && problem.source.empty())
-      EXPECT_TRUE(low <= value && value <= high) << "vertex " << v << ": " << value;
+      EXPECT_TRUE(low - slack <= value && value <= high + slack) << "vertex " << v << ": " << value;
     undefined += painted ? 0 : 1;
   }
   EXPECT_EQ(field.report.undefined, undefined);

@@ -12,8 +12,8 @@ namespace dirichlet::fuzz {
 /// Runs the body, which may refuse what it was given: by a DirichletError of one printable sentence, nothing else.
 void expect_result_or_refusal(const std::function<void()>& body);
 
-/// Painted values bit for bit; NaN on pieces without paint, and nowhere else; in the painted range of every piece where
-/// the operator promises it and there is no source.
+/// Painted values bit for bit; NaN on pieces without paint, and nowhere else; without a source in the painted range of
+/// every piece, or no farther outside than the report says where the operator does not promise it.
 void expect_lawful_field(const Mesh& mesh, const Problem& problem, const Field& field);
 
 } // namespace dirichlet::fuzz

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem.h"
 
+#include <algorithm>
+#include <array>
+
 #include "damage.h"
 #include "index.h"
 
@@ -26,6 +29,12 @@ bool paint(Painting& painting, Index vertex_count, char letter, Script& script) 
   return true;
 }
 
+Laplacian read_laplacian(Script& script) {
+  constexpr std::array kLaplacians{Laplacian::graph, Laplacian::cotangent, Laplacian::intrinsic_delaunay,
+                                   Laplacian::polygon, Laplacian::automatic};
+  return kLaplacians[at(script.number(kLaplacians.size()))];
+}
+
 Problem read_problem(Script script) {
   Problem problem;
   while (!script.at_end()) {
@@ -46,6 +55,9 @@ Problem read_problem(Script script) {
       break;
     case 'd':
       choose_method(problem.options, script.number(3));
+      break;
+    case 'L':
+      problem.laplacian = read_laplacian(script);
       break;
     case 'o':
       problem.source.resize(at(count));

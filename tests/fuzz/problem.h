@@ -23,6 +23,9 @@ struct Painting {
 /// \returns false where the letter does not paint
 bool paint(Painting& painting, Index vertex_count, char letter, Script& script);
 
+/// L n: the operator.
+Laplacian read_laplacian(Script& script);
+
 /// A surface, damage, paint and levels, and how to solve.
 struct Problem {
   makers::PolygonSoup soup;
@@ -30,11 +33,12 @@ struct Problem {
   std::vector<double> source; ///< empty or (V,)
   std::vector<double> levels;
   Index even = 0, equal = 0; ///< so many levels more, spread evenly over the field's range and by area
+  Laplacian laplacian = Laplacian::graph;
   SolverOptions options;
 };
 
 /// Any script is a problem. To the letters of add_surface, damage and paint come
-///   l x  level    e n  even levels    a n  levels of equal areas    o v x  source    d n  method
+///   l x  level    e n  even levels    a n  levels of equal areas    o v x  source    d n  method    L n  Laplacian
 Problem read_problem(Script script);
 
 } // namespace dirichlet::fuzz

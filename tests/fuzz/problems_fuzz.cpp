@@ -26,7 +26,7 @@ std::vector<double> choose_levels(const Mesh& mesh, const Problem& problem, cons
 
 void solve_and_check(const Problem& problem) {
   const auto mesh = makers::make_mesh(problem.soup);
-  const HarmonicSolver solver(*mesh, problem.painting.vertices, problem.options);
+  const HarmonicSolver solver(*mesh, problem.painting.vertices, problem.options, problem.laplacian);
   const Field field = solver.solve(problem.painting.column(), problem.source);
   expect_lawful_field(*mesh, problem, field);
 

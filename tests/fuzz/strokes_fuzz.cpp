@@ -3,7 +3,7 @@
 //
 // To the letters of add_surface, damage and paint come
 //   !  paints what there is    -  wipes all    .  wipes the last    y x  other values, the vertices as they are
-//   c  cancels the next one    w n  columns
+//   c  cancels the next one    w n  columns    L n  Laplacian
 #include <optional>
 
 #include "damage.h"
@@ -47,6 +47,9 @@ class Painter {
     case 'c':
       options_.cancel.cancel();
       break;
+    case 'L':
+      laplacian_ = read_laplacian(script_);
+      break;
     case 'w':
       columns_ = 1 + script_.number(8);
       break;
@@ -71,7 +74,7 @@ class Painter {
   void paint() {
     ++paintings_;
     if (!mesh_) mesh_ = makers::make_mesh(soup_);
-    if (!solver_) solver_.emplace(*mesh_, options_);
+    if (!solver_) solver_.emplace(*mesh_, options_, used_ = laplacian_);
     expect_result_or_refusal([&] {
       const Eigen::MatrixXd values = this->values(1);
       try {
@@ -101,7 +104,7 @@ class Painter {
 
   void compare(const Field& field, const Eigen::MatrixXd& values) const {
     const Field fresh =
-        HarmonicSolver(*mesh_, painting_.vertices, SolverOptions{.method = Method::direct}).solve(values);
+        HarmonicSolver(*mesh_, painting_.vertices, SolverOptions{.method = Method::direct}, used_).solve(values);
     ASSERT_EQ(field.values.size(), fresh.values.size());
     EXPECT_EQ(std::memcmp(field.values.data(), fresh.values.data(),
                           sizeof(double) * static_cast<std::size_t>(fresh.values.size())),
@@ -113,6 +116,7 @@ class Painter {
   Script script_;
   makers::PolygonSoup soup_;
   Painting painting_, last_;
+  Laplacian laplacian_ = Laplacian::graph, used_ = Laplacian::graph;
   Index columns_ = 1;
   int paintings_ = 0;
   SolverOptions options_{.method = Method::direct};

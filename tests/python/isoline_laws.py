@@ -68,17 +68,24 @@ def assert_points_lie_on_edges_at_their_level(mesh: Mesh, values: np.ndarray, li
 
 
 def assert_ends_are_where_a_line_may_end(mesh: Mesh, values: np.ndarray, lines: Isolines) -> None:
-    """On an edge without exactly two triangles (border, non-manifold), or with one beside NaN."""
+    for point in ends_in_the_open(mesh, values, lines)[:1]:
+        raise AssertionError(f"a line ends in the open at {point}")
+
+
+def ends_in_the_open(mesh: Mesh, values: np.ndarray, lines: Isolines) -> np.ndarray:
+    """Those not on an edge without exactly two triangles (border, non-manifold), or with one beside NaN."""
     carrying = mesh.triangles[~np.isnan(values[mesh.triangles]).any(axis=1)]
     edges_of_two = [edges_with_two_triangles(triangles, mesh.vertex_count) for triangles in (mesh.triangles, carrying)]
     odd = np.setdiff1d(edge_keys(mesh.vertex_count, *ring(mesh.triangles)), np.intersect1d(*edges_of_two))
     ends = np.concatenate((lines.offsets[:-1][~lines.closed], lines.offsets[1:][~lines.closed] - 1))
-    on_odd_edge = np.isin(edge_keys(mesh.vertex_count, *lines.edges[ends].T), odd)
+    elsewhere = lines.points[ends[~np.isin(edge_keys(mesh.vertex_count, *lines.edges[ends].T), odd)]]
     size = np.abs(mesh.positions).max() or 1.0  # whose squares may be beyond the doubles
     first, second = mesh.positions[odd // mesh.vertex_count] / size, mesh.positions[odd % mesh.vertex_count] / size
-    for point in lines.points[ends[~on_odd_edge]]:  # of points that coincide, one on another edge may have been kept
-        distance = distance_to_segments(point / size, first, second)
-        assert distance.min(initial=np.inf) <= 1e-14, f"a line ends in the open at {point}"
+
+    def is_in_the_open(point: np.ndarray) -> bool:  # of points that coincide, one on another edge may have been kept
+        return distance_to_segments(point / size, first, second).min(initial=np.inf) > 1e-14
+
+    return elsewhere[[is_in_the_open(point) for point in elsewhere]] if len(elsewhere) else elsewhere
 
 
 def distance_to_segments(point: np.ndarray, first: np.ndarray, second: np.ndarray) -> np.ndarray:
