@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every mesh of a folder with every painting and every Laplacian: a table, and at its end what failed and why.
 
-    corpus.py [--table FILE] FOLDER-OR-MESH…
+    corpus.py [--table FILE] [--limit SECONDS] FOLDER-OR-MESH…
 
 Exit code 0: nothing failed (a clear refusal is none), 1: something did, 2: no mesh was found.
 """
@@ -32,12 +32,10 @@ def find_files(places: list[Path]) -> tuple[list[Path], list[Path]]:
     return meshes, [file for file in files if file not in meshes]
 
 
-def seconds_for(case: Case) -> float:
-    """Ten below 50 000 vertices, of which five megabytes hold more in every format; in proportion above."""
-    return 10 * max(1.0, case.path.stat().st_size / 5e6)
+def outcomes(meshes: list[Path], limit: float) -> Iterator[tuple[Case, Outcome]]:
+    def seconds_for(case: Case) -> float:  # five megabytes hold more than 50 000 vertices in every format
+        return limit * max(1.0, case.path.stat().st_size / 5e6)
 
-
-def outcomes(meshes: list[Path]) -> Iterator[tuple[Case, Outcome]]:
     cases = [Case(*names) for names in product(meshes, LAPLACIANS, PAINTINGS)]
     for case, result in zip(cases, results(check, cases, seconds_for)):
         yield case, Outcome("failed", str(result)) if isinstance(result, NoResultError) else result
@@ -56,9 +54,9 @@ def row(mesh: Path, laplacian: str, group: list[Outcome]) -> str:
     )
 
 
-def run(meshes: list[Path]) -> Iterator[tuple[str, dict[Case, Outcome]]]:
+def run(meshes: list[Path], limit: float) -> Iterator[tuple[str, dict[Case, Outcome]]]:
     """The table's rows, each with what it is made of."""
-    for (mesh, laplacian), group in groupby(outcomes(meshes), key=lambda item: item[0][:2]):
+    for (mesh, laplacian), group in groupby(outcomes(meshes, limit), key=lambda item: item[0][:2]):
         of_row = dict(group)
         yield row(mesh, laplacian, list(of_row.values())), of_row
 
@@ -80,6 +78,10 @@ def main(words: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("places", nargs="+", type=Path, metavar="FOLDER-OR-MESH")
     parser.add_argument("--table", type=Path, metavar="FILE", help="write what is printed there, too")
+    parser.add_argument(
+        "--limit", type=float, default=10, metavar="SECONDS",
+        help="for a case of fewer than 50 000 vertices (default 10), in proportion above; then it counts as hung",
+    )  # fmt: skip
     args = parser.parse_args(words)
     meshes, others = find_files(args.places)
     start, printed, all_cases = time.perf_counter(), [], {}
@@ -89,7 +91,7 @@ def main(words: list[str] | None = None) -> int:
         printed.append(line)
 
     say(HEAD)
-    for line, group in run(meshes):
+    for line, group in run(meshes, args.limit):
         say(line)
         all_cases |= group
     for title, lines in (

@@ -143,6 +143,7 @@ class Vandal {
   }
 
   Index copy(Index v) {
+    if (v < 0 || v >= vertex_count(soup_)) return v;
     const std::array<double, 3> p{point(v)[0], point(v)[1], point(v)[2]};
     soup_.positions.insert(soup_.positions.end(), p.begin(), p.end());
     return vertex_count(soup_) - 1;

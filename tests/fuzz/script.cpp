@@ -13,7 +13,7 @@ char Script::letter() {
 
 Index Script::number(Index limit) {
   const auto byte = at_end() ? std::uint8_t{'0'} : bytes_[place_++];
-  return static_cast<Index>(static_cast<std::uint8_t>(byte - '0')) % limit;
+  return limit > 0 ? static_cast<Index>(static_cast<std::uint8_t>(byte - '0')) % limit : 0;
 }
 
 double Script::raw() {

@@ -19,7 +19,7 @@ class Script {
 
   char letter(); ///< '\0' past the end
 
-  /// In [0, limit), limit > 0: '0' is 0, '9' is 9, 'A' is 17 … modulo the limit.
+  /// In [0, limit): '0' is 0, '9' is 9, 'A' is 17 … modulo the limit. 0 where there is no such number.
   Index number(Index limit);
 
   /// '0' … '9'; '-' the negative of the value that follows; ',' and a byte: so many sixteenths; '^' and a byte: a power
