@@ -130,11 +130,12 @@ class TwoSheets {
     remove(fans.repeated_faces());
     add_back();
     const Buffer<Index>& opposite = mesh.connectivity().opposite;
-    for (Index c = 0; c < static_cast<Index>(corners_.size()); ++c)
-      if (opposite[at(c)] > c && !is_removed(c / 3) && !is_removed(opposite[at(c)] / 3)) {
-        glue(c, opposite[at(c)]);
-        glue(opposite[at(c)], c);
-      }
+    for_corners([&](Index c) {
+      const Index other = opposite[at(c)];
+      if (other < c || is_removed(c / 3) || is_removed(other / 3)) return;
+      glue(c, other);
+      glue(other, c);
+    });
     fans.for_neighbours([&](Index face) { return is_removed(face); },
                         [&](Index c, Index following) {
                           if (c != following) glue(c, following);
@@ -145,6 +146,13 @@ class TwoSheets {
 
  private:
   static constexpr double kRemoved = -1; ///< the length of sides that are not there
+
+  template <class Visit>
+  void for_corners(const Visit& visit) const {
+    parallel_chunks(corners_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (auto c = static_cast<Index>(begin); c < static_cast<Index>(end); ++c) visit(c);
+    });
+  }
 
   void remove(const std::vector<Index>& faces) {
     for (const Index face : faces)
@@ -161,10 +169,10 @@ class TwoSheets {
 
   void add_back() {
     half_edges_.resize(2 * corners_.size());
-    for (Index c = 0; c < static_cast<Index>(corners_.size()); ++c) {
+    for_corners([this](Index c) {
       half_edges_[at(back(c))] = half_edges_[at(c)];
       half_edges_[at(back(c))].tail = corners_[at(next_in_triangle(c))];
-    }
+    });
   }
 
   /// The half-edge of the two sides of a face that runs from the edge's lower vertex to its higher one, or back.
