@@ -15,9 +15,10 @@ namespace dirichlet {
 /// linear functions exact in a plane with a painted border.
 ///
 /// \param mesh  triangles
-/// Cost: O(V + C + flips); all cores but for the flips. About 170 bytes per face beside the result, twice for two
-/// sheets. Source: Bobenko, Springborn, "A Discrete Laplace–Beltrami Operator for Simplicial Surfaces", 2007; Sharp,
-/// Crane, "A Laplacian for Nonmanifold Triangle Meshes", 2020.
+/// Cost: O(V + C + flips); all cores but for the flips. About 120 bytes per face and sheet beside the result.
+///
+/// Source: Bobenko, Springborn, "A Discrete Laplace–Beltrami Operator for Simplicial Surfaces", 2007; Sharp, Crane, "A
+/// Laplacian for Nonmanifold Triangle Meshes", 2020.
 SparseMatrix intrinsic_delaunay_stiffness(const Mesh& mesh);
 
 } // namespace dirichlet

@@ -266,6 +266,16 @@ TEST(IntrinsicDelaunay, faces_that_come_twice_count_once) {
   EXPECT_LE((field_of(repeated) - field_of(soup)).cwiseAbs().maxCoeff(), 1e-9);
 }
 
+TEST(IntrinsicDelaunay, only_a_surface_without_a_direction_needs_two_sheets) {
+  PolygonSoup soup = makers::torus(7, 9);
+  for (std::size_t face = 0; face < soup.faces.size(); face += 2) std::swap(soup.faces[face][0], soup.faces[face][1]);
+  EXPECT_EQ(cover(*make_mesh(soup)).sheets, 1);
+  EXPECT_LE((Eigen::MatrixXd(stiffness(soup)) - Eigen::MatrixXd(stiffness(makers::torus(7, 9)))).cwiseAbs().maxCoeff(),
+            1e-12);
+  for (const PolygonSoup& twisted : {makers::moebius(9), makers::klein_bottle(6, 7), makers::book(3, 2)})
+    EXPECT_EQ(cover(make_mesh(twisted)->triangulated()).sheets, 2);
+}
+
 TEST(IntrinsicDelaunay, glued_sides_of_faces_around_an_edge_see_the_same_space) {
   for (const Index pages : {3, 4, 5, 12}) {
     PolygonSoup soup = triangles_of(makers::book(pages, 2));

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "index.h"
 #include "parallel.h"
@@ -19,7 +23,8 @@ using HalfEdge = IntrinsicTriangulation::HalfEdge;
 constexpr Index kBorder = IntrinsicTriangulation::kBorder;
 constexpr std::size_t kGrain = 1 << 13;
 
-bool is_one_sheet(const Mesh& mesh) {
+/// Whether the faces have it already: the common case.
+bool has_one_direction(const Mesh& mesh) {
   const std::span<const Index> corners = mesh.corners();
   const Buffer<Index>& opposite = mesh.connectivity().opposite;
   std::atomic<bool> one = true;
@@ -31,6 +36,43 @@ bool is_one_sheet(const Mesh& mesh) {
       }
   });
   return one;
+}
+
+enum class Turn : std::uint8_t { unknown, kept, reversed };
+
+/// Which faces to reverse so that all have one direction; nothing where that cannot be.
+std::optional<Buffer<Turn>> find_direction(const Mesh& mesh) {
+  const std::span<const Index> corners = mesh.corners();
+  const Buffer<Index>& opposite = mesh.connectivity().opposite;
+  Buffer<Turn> turns(at(mesh.face_count()), Turn::unknown);
+  std::vector<Index> reached;
+  for (Index seed = 0; seed < mesh.face_count(); ++seed) {
+    if (turns[at(seed)] != Turn::unknown) continue;
+    turns[at(seed)] = Turn::kept;
+    for (reached.push_back(seed); !reached.empty();) {
+      const Index face = reached.back();
+      reached.pop_back();
+      const Turn turn = turns[at(face)], other_turn = turn == Turn::kept ? Turn::reversed : Turn::kept;
+      for (Index c = 3 * face; c < 3 * face + 3; ++c) {
+        const Index across = opposite[at(c)];
+        if (across == Connectivity::kNonManifold) return std::nullopt;
+        if (across == Connectivity::kBorder) continue;
+        const Turn wanted = corners[at(c)] == corners[at(across)] ? other_turn : turn;
+        Turn& found = turns[at(across / 3)];
+        if (found == Turn::unknown) {
+          found = wanted;
+          reached.push_back(across / 3);
+        } else if (found != wanted)
+          return std::nullopt;
+      }
+    }
+  }
+  return turns;
+}
+
+/// The place of a half-edge in its face when that is reversed.
+Index mirrored(Index c) {
+  return c + 2 - 2 * (c % 3);
 }
 
 /// Every face with its lengths and angles, its sides not yet glued.
@@ -165,7 +207,7 @@ class TwoSheets {
   [[nodiscard]] bool is_removed(Index face) const { return half_edges_[3 * at(face)].length == kRemoved; }
 
   /// The back of side k of a face is side 2 - k of another, so that both turn the right way.
-  [[nodiscard]] Index back(Index c) const { return static_cast<Index>(corners_.size()) + c + 2 - 2 * (c % 3); }
+  [[nodiscard]] Index back(Index c) const { return static_cast<Index>(corners_.size()) + mirrored(c); }
 
   void add_back() {
     half_edges_.resize(2 * corners_.size());
@@ -191,16 +233,32 @@ class TwoSheets {
   Buffer<HalfEdge> half_edges_;
 };
 
+/// The mesh itself, some of its faces reversed.
+/// \param turns  (F,) or none where no face is
+Buffer<HalfEdge> one_sheet(const Mesh& mesh, const Buffer<Turn>& turns) {
+  Buffer<HalfEdge> half_edges = make_front(mesh);
+  const std::span<const Index> corners = mesh.corners();
+  const Buffer<Index>& opposite = mesh.connectivity().opposite;
+  const auto place = [&](Index c) { return !turns.empty() && turns[at(c / 3)] == Turn::reversed ? mirrored(c) : c; };
+  parallel_chunks(at(mesh.face_count()), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto first = static_cast<Index>(3 * begin); first < static_cast<Index>(3 * end); first += 3) {
+      if (place(first) != first) std::swap(half_edges[at(first)], half_edges[at(first) + 2]);
+      for (Index c = first; c < first + 3; ++c) {
+        HalfEdge& half_edge = half_edges[at(place(c))];
+        half_edge.twin = opposite[at(c)] >= 0 ? place(opposite[at(c)]) : kBorder;
+        half_edge.tail = corners[at(place(first) == first ? c : next_in_triangle(c))];
+      }
+    }
+  });
+  return half_edges;
+}
+
 } // namespace
 
 Cover cover(const Mesh& triangles) {
-  if (!is_one_sheet(triangles)) return {IntrinsicTriangulation(TwoSheets(triangles).half_edges()), 2};
-  Buffer<HalfEdge> half_edges = make_front(triangles);
-  const Buffer<Index>& opposite = triangles.connectivity().opposite;
-  parallel_chunks(half_edges.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) half_edges[c].twin = opposite[c] >= 0 ? opposite[c] : kBorder;
-  });
-  return {IntrinsicTriangulation(std::move(half_edges)), 1};
+  if (has_one_direction(triangles)) return {IntrinsicTriangulation(one_sheet(triangles, {})), 1};
+  if (const auto turns = find_direction(triangles)) return {IntrinsicTriangulation(one_sheet(triangles, *turns)), 1};
+  return {IntrinsicTriangulation(TwoSheets(triangles).half_edges()), 2};
 }
 
 } // namespace dirichlet

@@ -12,9 +12,10 @@ struct Cover {
   int sheets; ///< how often it holds every face of the mesh
 };
 
-/// Where every edge has at most two faces that run through it in opposite directions, the mesh itself. Else every face
-/// twice, front and back: what sees a side of it glued to what sees the same space between two neighbouring faces of an
-/// edge, in the order of their dihedral angles. A border edge is glued to nothing. Of equal faces one counts.
+/// Where every edge has at most two faces and the surface has a direction all around, its faces turned that way. Else
+/// every face twice, front and back: what sees a side of it glued to what sees the same space between two neighbouring
+/// faces of an edge, in the order of their dihedral angles. A border edge is glued to nothing. Of equal faces one
+/// counts.
 ///
 /// Independent of the direction and the order of the faces. Lengths are mollified where a triangle asks for it.
 ///
