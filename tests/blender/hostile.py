@@ -5,7 +5,7 @@ import importlib
 import sys
 
 import numpy as np
-from conftest import ROOT, STAGED
+from archives import ROOT, STAGED
 
 sys.path.append(str(ROOT / "tests" / "python"))  # behind this folder: both have a conftest
 sys.modules.setdefault("dirichlet_surface", importlib.import_module(f"{STAGED.name}.dirichlet_surface"))

@@ -7,7 +7,7 @@ import sys
 import bpy
 import numpy as np
 import pytest
-from conftest import ROOT
+from archives import ROOT
 from in_new_blender import run_script
 from scene import field_of, paint
 

@@ -62,12 +62,16 @@ readonly enter='
     sh -c "cd /project && exec \"\$@\"" sh "$@"
 '
 
-if (($# == 0)); then
-  [[ -d $root ]]
-  exit
-fi
-[[ -d $root ]] || make_root
-mkdir -p "$project/build"
-exec 9>"$root.lock"
-flock 9 # one command at a time: they share build/
-as_root unshare --mount --pid --fork --kill-child sh -c "$enter" sh "$root" "$project" "$@"
+main() { # COMMAND ARG…
+  if (($# == 0)); then
+    [[ -d $root ]]
+    exit
+  fi
+  [[ -d $root ]] || make_root
+  mkdir -p "$project/build"
+  exec 9>"$root.lock"
+  flock 9 # one command at a time: they share build/
+  as_root unshare --mount --pid --fork --kill-child sh -c "$enter" sh "$root" "$project" "$@"
+}
+
+main "$@"
