@@ -140,7 +140,10 @@ def blender_files(
 
 def report(obj: bpy.types.Object, solved, lines, paths: list[Path | None]) -> None:
     closed = int(lines.closed.sum())
-    print(f"{obj.name}: {solved.field.report.summary()}")
+    taken = solved.field.report
+    print(f"{obj.name}: {taken.summary()}")
+    if taken.reason:
+        print(f"laplacian: {taken.laplacian}, as {taken.reason}")
     print(f"isolines: {len(lines)} on {len(lines.levels)} levels, {closed} closed, {len(lines) - closed} open")
     for warning in (*solved.warnings, *lines.warnings):
         print(f"warning: {warning}")

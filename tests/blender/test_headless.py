@@ -53,12 +53,16 @@ def test_groups_named_take_the_place_of_the_list(tmp_path):
     assert np.allclose(across, np.linspace(-1, 5, 12), atol=1e-12)
 
 
-@pytest.mark.parametrize(("words", "taken"), [([], "polygon"), (["--laplacian", "cotangent"], "cotangent")])
+@pytest.mark.parametrize(
+    ("words", "taken"),
+    [([], "polygon"), (["--laplacian", "cotangent"], "cotangent"), (["--laplacian", "auto"], "polygon")],
+)
 def test_the_laplacian_is_the_objects_unless_one_is_named(tmp_path, words, taken):
     painted_grid().dirichlet.laplacian = "polygon"
     done = run_script(SCRIPT, *words, "--report", tmp_path / "r.json", file=save(tmp_path))
     assert done.returncode == 0, done.stderr
     assert json.loads((tmp_path / "r.json").read_text())["solve"]["laplacian"] == taken
+    assert ("laplacian: polygon, as " in done.stdout) == ("auto" in words)
 
 
 def test_patches_join_the_groups_named(tmp_path):
