@@ -28,11 +28,11 @@ def read_weights(mesh: bpy.types.Mesh, names: Sequence[str]) -> Iterator[NDArray
         return
     for start in range(0, len(names), _BATCH):
         batch = names[start : start + _BATCH]
+        weights = np.empty((len(batch), len(mesh.vertices)), np.float32)
         with _evaluated(mesh, batch) as attributes:
             for k in range(len(batch)):
-                weights = np.empty(len(mesh.vertices), np.float32)
-                attributes[_stored_name(k)].data.foreach_get("value", weights)
-                yield weights
+                attributes[_stored_name(k)].data.foreach_get("value", weights[k])
+        yield from weights  # once nothing temporary is left: whoever takes them may fail, and keep this open for long
 
 
 def add_group(obj: bpy.types.Object, name: str, vertices: Sequence[int] | NDArray[np.intp]) -> str:
