@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <exception>
+#include <new>
+#include <string_view>
+
 #include "bindings.h"
 #include "dirichlet/error.h"
 
@@ -10,10 +14,20 @@ namespace py = pybind11;
 /// The C++ class as a Python class of the package, so that tracebacks and documentation name it as users import it.
 template <class Error>
 py::object bind(py::module_& module, const char* name, const py::handle& base, const char* doc) {
-  py::object type = py::register_exception<Error>(module, name, base);
+  static const py::handle type = py::exception<Error>(module, name, base).release(); // lives as long as the module
   type.attr("__module__") = "dirichlet_surface";
   type.attr("__doc__") = doc;
-  return type;
+  py::register_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) std::rethrow_exception(pointer);
+    } catch (const Error& error) { // a file's name may be no text
+      const std::string_view what = error.what();
+      const auto text = py::reinterpret_steal<py::object>(
+          PyUnicode_DecodeUTF8(what.data(), static_cast<py::ssize_t>(what.size()), "replace"));
+      PyErr_SetObject(type.ptr(), text.ptr());
+    }
+  });
+  return py::reinterpret_borrow<py::object>(type);
 }
 
 } // namespace
@@ -28,6 +42,13 @@ void bind_errors(py::module_& module) {
   const py::object solver =
       bind<SolverError>(module, "SolverError", base, "The linear system could not be solved to the promised residual.");
   bind<CancelledError>(module, "CancelledError", solver, "Somebody asked for the work to stop.");
+  py::register_exception_translator([](std::exception_ptr error) { // the last one is asked first, and hands on
+    try {
+      if (error) std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+      throw DirichletError("there is not enough memory for this");
+    }
+  });
 }
 
 } // namespace dirichlet::bindings

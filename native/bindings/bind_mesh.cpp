@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
 #include "arrays.h"
 #include "bindings.h"
+#include "dirichlet/defects.h"
 #include "dirichlet/mesh.h"
 
 namespace dirichlet::bindings {
@@ -24,6 +27,18 @@ py::array triangles(const py::object& self) {
     triangulated = &mesh.triangulated();
   }
   return view_of(triangulated->corners(), {triangulated->face_count(), 3}, self);
+}
+
+py::dict defects(const Mesh& mesh) {
+  using namespace py::literals;
+  Defects found;
+  {
+    const py::gil_scoped_release release;
+    found = find_defects(mesh);
+  }
+  return py::dict("repeated_faces"_a = found.repeated_faces, "flat_faces"_a = found.flat_faces,
+                  "coincident_vertices"_a = found.coincident_vertices,
+                  "warnings"_a = py::tuple(py::cast(found.warnings())));
 }
 
 } // namespace
@@ -73,6 +88,7 @@ void bind_mesh(py::module_& module) {
         }
         return py::make_tuple(to_numpy(std::move(loops.offsets)), to_numpy(std::move(loops.vertices)));
       });
+  module.def("find_defects", &defects, py::arg("mesh"));
 }
 
 } // namespace dirichlet::bindings

@@ -87,9 +87,9 @@ HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options, L
   base_.connectivity_seconds = mesh.build_seconds();
   with_memory(base_.vertices, [&] {
     const Stopwatch watch;
-    auto pieces = in_background(at(base_.vertices), [&mesh] { return mesh.components(); });
+    auto inspection =
+        in_background(at(base_.vertices), [&mesh] { return std::pair(mesh.components(), find_defects(mesh)); });
     Stiffness stiffness = make_stiffness(mesh, laplacian);
-    describe(stiffness);
     base_.laplacian_seconds = watch.seconds();
     mass_ = std::move(stiffness.mass);
     solver_ = make_solver(std::move(stiffness.K), options);
@@ -98,13 +98,19 @@ HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options, L
     const std::span<const Index> order = solver_->order();
     position_.resize(order.size());
     for (std::size_t row = 0; row < order.size(); ++row) position_[at(order[row])] = static_cast<Index>(row);
-    rows_ = std::make_unique<FixedRows>(pieces.get(), order);
+    const auto [pieces, defects] = inspection.get();
+    describe(stiffness, defects);
+    rows_ = std::make_unique<FixedRows>(pieces, order);
   });
   const SolverStatistics& statistics = solver_->statistics();
   base_.method = statistics.method;
   base_.nonzeros = statistics.nonzeros;
   base_.factor_nonzeros = statistics.factor_nonzeros;
   base_.analysis_seconds = statistics.analysis_seconds;
+  if (const auto budget = options.memory_budget.value_or(default_memory_budget()); statistics.factor_bytes > budget)
+    mesh_warnings_.push_back(message("the direct method takes ", in_bytes(statistics.factor_bytes),
+                                     " for its factor, more than the memory budget of ", in_bytes(budget),
+                                     "; multigrid takes less"));
 }
 
 HarmonicSolver::HarmonicSolver(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options,
@@ -115,16 +121,16 @@ HarmonicSolver::HarmonicSolver(const Mesh& mesh, std::span<const Index> painted,
 
 HarmonicSolver::~HarmonicSolver() = default;
 
-void HarmonicSolver::describe(const Stiffness& stiffness) {
+void HarmonicSolver::describe(const Stiffness& stiffness, Defects defects) {
   maximum_principle_ = stiffness.maximum_principle;
   base_.laplacian = stiffness.laplacian;
   base_.reason = stiffness.reason;
-  base_.flat_faces = stiffness.flat_faces;
-  if (stiffness.flat_faces > 0)
-    mesh_warnings_.push_back(message(stiffness.flat_faces,
-                                     stiffness.flat_faces == 1 ? " face has no area; it is face "
-                                                               : " faces have no area; the first is face ",
-                                     stiffness.first_flat));
+  if (stiffness.flat_faces > defects.flat_faces) { // those whose area is lost in rounding
+    defects.flat_faces = stiffness.flat_faces;
+    defects.first_flat = stiffness.first_flat;
+  }
+  base_.flat_faces = defects.flat_faces;
+  mesh_warnings_ = defects.warnings();
 }
 
 /// Brings mask, factor and regions up to a painting that was checked.
@@ -231,14 +237,15 @@ Field HarmonicSolver::compute(const Eigen::Ref<const Eigen::MatrixXd>& values, s
     x = start_from(guess, exponents);
   report.iterations = solver_->solve(rhs, x);
   report.relative_residual = relative_residual(solver_->matrix(), rows_->fixed(), rhs, x);
-  if (!std::isfinite(report.relative_residual)) throw SolverError("the solver returned a value that is not finite");
+  if (!std::isfinite(report.relative_residual))
+    throw SolverError("the solver returned a value that is not finite; another method may do better");
   rhs.resize(0, 0); // before the field takes its memory
   finish(values, exponents, x);
   std::optional<PaintedRanges> ranges;
   if (source.empty()) ranges.emplace(regions_->result(), x, maximum_principle_);
   const FieldRange range = hand_out(x, solver_->order(), *rows_, ranges ? &*ranges : nullptr, field.values);
   if (!std::isfinite(range.minimum) || !std::isfinite(range.maximum))
-    throw SolverError("the source lifts the field beyond the largest number");
+    throw SolverError("the source lifts the field beyond the largest number; scale it down");
   report.minimum = range.minimum + 0.0; // 0 for -0: of equal ones, any thread's may come first
   report.maximum = range.maximum + 0.0;
   report.painted_minimum = values.minCoeff();

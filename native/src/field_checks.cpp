@@ -13,7 +13,8 @@ namespace dirichlet {
 
 void check_field_size(std::span<const double> field, Index vertex_count) {
   if (field.size() != at(vertex_count))
-    throw InputError(message("the field has ", field.size(), " values, but the mesh ", vertex_count, " vertices"));
+    throw InputError(
+        message("the field has ", counted(field.size(), "value"), ", but the mesh ", counted(vertex_count, "vertex")));
 }
 
 void check_field(std::span<const double> field, Index vertex_count) {

@@ -6,6 +6,7 @@
 
 #include "dirichlet/error.h"
 #include "index.h"
+#include "memory.h"
 #include "message.h"
 #include "parallel_collect.h"
 #include "polygon_opposite.h"
@@ -76,6 +77,10 @@ Crossings number_crossings(std::span<const Index> corners, std::span<const Index
   if (total > kMost)
     throw InputError(
         message("the levels cross the triangles ", total, " times, more than the ", kMost, " there can be"));
+  constexpr std::int64_t kBytes = 80; // a crossing here, and the point that it becomes
+  if (total > physical_memory() / kBytes)
+    throw InputError(message("the levels cross the triangles ", total, " times, which takes ", in_bytes(total * kBytes),
+                             ", more memory than there is; fewer levels take less"));
   const auto count = static_cast<std::size_t>(total);
   crossings.level.resize(count);
   crossings.half_edge.resize(2 * count);

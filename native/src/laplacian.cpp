@@ -103,8 +103,9 @@ void require_area(const Mesh& mesh, const FlatFaces& flat) {
 
 } // namespace
 
-Stiffness make_stiffness(const Mesh& mesh, Laplacian laplacian) {
+Stiffness make_stiffness(const Mesh& whole, Laplacian laplacian) {
   Stiffness result;
+  const Mesh& mesh = laplacian == Laplacian::graph ? whole : whole.without_repeats();
   if (laplacian == Laplacian::graph) {
     make_graph(mesh, result);
   } else if (laplacian == Laplacian::automatic) {

@@ -55,7 +55,7 @@ Window open_window(const Mesh& mesh, std::span<const double> field, Index count,
   check_count(count);
   check_field(field, mesh.vertex_count());
   if (low && high) check_window(*low, *high);
-  const Mesh& triangles = mesh.triangulated();
+  const Mesh& triangles = mesh.without_repeats().triangulated();
   double least = kInfinity, greatest = -kInfinity;
   for (std::size_t c = 0; c < triangles.corners().size(); c += 3) {
     const auto value = [&](std::size_t i) { return field[at(triangles.corners()[c + i])]; };

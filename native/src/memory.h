@@ -23,7 +23,8 @@ auto with_memory(Index vertices, const F& f) {
   try {
     return f();
   } catch (const std::bad_alloc&) {
-    throw SolverError(message("there is not enough memory to solve for ", vertices, " vertices"));
+    throw SolverError(message("there is not enough memory to solve for ", counted(vertices, "vertex"),
+                              "; the method that needs least is multigrid"));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "any_value.h"
 #include "connectivity.h"
@@ -12,6 +13,7 @@
 #include "groups.h"
 #include "index.h"
 #include "message.h"
+#include "repeated_faces.h"
 #include "stopwatch.h"
 #include "union_find.h"
 
@@ -90,6 +92,7 @@ class FaceCleaner {
     }
     offsets.back() = static_cast<Index>(to - corners.data());
     corners.resize(at(offsets.back()));
+    if (refused_ > 0) throw TopologyError(first_refusal_ + and_more(refused_ - 1, "such face"));
   }
 
  private:
@@ -101,17 +104,22 @@ class FaceCleaner {
       if (end == to || end[-1] != v) *end++ = v;
     while (end - to > 1 && end[-1] == *to) --end;
     if (end - to < 3)
-      throw TopologyError(message("face ", face, " has fewer than three different vertices: it ",
-                                  front < 0 ? "has no corners" : message("begins with vertex ", front)));
-    for (const Index* v = to; v != end; ++v) {
-      Index& last = last_face_[at(*v)];
-      if (last == face) throw TopologyError(message("face ", face, " names vertex ", *v, " twice"));
-      last = face;
-    }
+      refuse(message("face ", face, " has fewer than three different vertices: it ",
+                     front < 0 ? "has no corners" : message("begins with vertex ", front)));
+    else if (const Index* const twice = std::find_if(to, end, [&](Index v) { return visited(face, v); }); twice != end)
+      refuse(message("face ", face, " names vertex ", *twice, " twice"));
     return end;
   }
 
+  bool visited(Index face, Index vertex) { return std::exchange(last_face_[at(vertex)], face) == face; }
+
+  void refuse(const std::string& why) {
+    if (refused_++ == 0) first_refusal_ = why;
+  }
+
   std::vector<Index> last_face_; ///< the face that named a vertex last
+  Index refused_ = 0;
+  std::string first_refusal_;
 };
 
 } // namespace
@@ -124,7 +132,8 @@ Mesh::Mesh(SharedArray<double> positions, std::span<const Index> offsets, std::s
 Mesh::Mesh(SharedArray<double> positions, std::span<const Index> corners, Index corners_per_face)
     : positions_(std::move(positions)) {
   if (corners_per_face < 1 || corners.size() % static_cast<std::size_t>(corners_per_face) != 0)
-    throw InputError(message(corners.size(), " corners do not make faces of ", corners_per_face));
+    throw InputError(message(counted(corners.size(), "corner"), corners.size() == 1 ? " does" : " do",
+                             " not make faces of ", corners_per_face));
   if (corners.size() > kMostCorners)
     throw InputError(message("a mesh has at most ", kMostCorners, " corners, not ", corners.size()));
   Buffer<Index> offsets(corners.size() / at(corners_per_face) + 1);
@@ -155,6 +164,23 @@ const Mesh& Mesh::triangulated() const {
     triangulated_ = std::make_unique<Mesh>(positions_, triangulate(positions(), offsets_, corners_), 3);
   });
   return *triangulated_;
+}
+
+std::span<const std::array<Index, 2>> Mesh::repeated_faces() const {
+  std::call_once(find_repeats_once_,
+                 [this] { repeated_faces_ = find_repeated_faces(offsets_, corners_, connectivity_); });
+  return repeated_faces_;
+}
+
+const Mesh& Mesh::without_repeats() const {
+  const auto repeats = repeated_faces();
+  if (repeats.empty()) return *this;
+  std::call_once(leave_out_repeats_once_, [&] {
+    std::vector<Index> faces;
+    for (const auto& [face, first] : repeats) faces.push_back(face);
+    without_repeats_ = leave_out(*this, faces);
+  });
+  return *without_repeats_;
 }
 
 const Groups& Mesh::corners_by_vertex() const {

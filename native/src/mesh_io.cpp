@@ -47,10 +47,17 @@ FileBytes read_bytes(const fs::path& path) {
   return {path.string(), std::move(out).str()};
 }
 
+/// Where a link leads, so that it stays one.
+fs::path followed(const fs::path& path) {
+  std::error_code error;
+  fs::path real = fs::is_symlink(path, error) ? fs::canonical(path, error) : path;
+  return error ? path : real;
+}
+
 /// Beside the target, so that the rename stays within one file system; gone again unless it was renamed.
 class FileBeside {
  public:
-  explicit FileBeside(const fs::path& target) : target_(target), path_(target) {
+  explicit FileBeside(const fs::path& target) : named_(target), target_(followed(target)), path_(target_) {
     path_ += message(".", std::random_device{}(), ".part");
   }
   FileBeside(const FileBeside&) = delete;
@@ -62,20 +69,26 @@ class FileBeside {
 
   void write(const std::string& bytes) {
     errno = 0;
+    std::error_code error;
+    const fs::file_status target = fs::status(target_, error);
+    if (fs::is_regular_file(target) && !std::ofstream(target_, std::ios::app)) // which a renaming does not ask
+      refuse_access(named_, "written", last_error());
     std::ofstream out(path_, std::ios::binary);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     out.close();
-    if (!out) refuse_access(target_, "written", last_error());
+    if (!out) refuse_access(named_, "written", last_error());
+    if (fs::is_regular_file(target)) fs::permissions(path_, target.permissions(), error);
   }
 
   void become_target() {
     std::error_code error;
     fs::rename(path_, target_, error);
-    if (error) refuse_access(target_, "written", error);
+    if (error) refuse_access(named_, "written", error);
   }
 
  private:
-  const fs::path& target_;
+  const fs::path& named_;
+  fs::path target_;
   fs::path path_;
 };
 
@@ -114,7 +127,8 @@ void write_mesh_file(const fs::path& path, std::span<const double> positions, st
   if (positions.size() % 3 != 0 || offsets.empty() || static_cast<std::size_t>(offsets.back()) != corners.size())
     throw InputError("the arrays to be written are not those of a mesh");
   if (!colors.empty() && colors.size() != positions.size())
-    throw InputError(message(colors.size() / 3, " colours do not fit ", positions.size() / 3, " vertices"));
+    throw InputError(
+        message("there are ", counted(colors.size() / 3, "colour"), " for ", counted(positions.size() / 3, "vertex")));
   const std::string bytes = encode(path, {positions, offsets, corners}, colors);
   FileBeside file(path);
   file.write(bytes);

@@ -54,20 +54,27 @@ void check_values(std::span<const Index> painted, const std::vector<std::array<I
                   const Eigen::Ref<const Eigen::MatrixXd>& values) {
   if (values.cols() < 1) throw InputError("no column of values was given");
   if (values.rows() != static_cast<Eigen::Index>(painted.size()))
-    throw InputError(message(values.rows(), " values were given for ", painted.size(), " painted vertices"));
+    throw InputError(message(counted(values.rows(), "value"), values.rows() == 1 ? " was" : " were", " given for ",
+                             counted(painted.size(), "painted vertex")));
   for (Eigen::Index column = 0; column < values.cols(); ++column)
     check_finite({values.col(column).data(), painted.size()}, "the painted value", "place");
-  for (const auto& [again, first] : repeats)
-    for (Eigen::Index column = 0; column < values.cols(); ++column)
-      if (values(again, column) != values(first, column))
-        throw InputError(message("vertex ", painted[at(again)], " is painted with ", values(first, column),
-                                 " (at place ", first, ") and with ", values(again, column), " (at place ", again,
-                                 ")"));
+  const auto differs = [&](const std::array<Index, 2>& repeat) {
+    return values.row(repeat[0]) != values.row(repeat[1]);
+  };
+  const auto clash = std::find_if(repeats.begin(), repeats.end(), differs);
+  if (clash == repeats.end()) return;
+  const auto& [again, first] = *clash;
+  Eigen::Index column = 0;
+  while (values(again, column) == values(first, column)) ++column;
+  throw InputError(message("vertex ", painted[at(again)], " is painted with ", exactly(values(first, column)),
+                           " (at place ", first, ") and with ", exactly(values(again, column)), " (at place ", again,
+                           ")", and_more(std::count_if(clash, repeats.end(), differs) - 1, "place")));
 }
 
 void check_source(Index vertex_count, std::span<const double> source) {
   if (!source.empty() && source.size() != at(vertex_count))
-    throw InputError(message("a source of ", source.size(), " numbers does not fit ", vertex_count, " vertices"));
+    throw InputError(message("the source has ", counted(source.size(), "number"), ", but the mesh ",
+                             counted(vertex_count, "vertex")));
   check_finite(source, "the source", "vertex");
 }
 

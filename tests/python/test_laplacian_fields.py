@@ -218,7 +218,7 @@ def test_faces_without_area_are_solved_through_counted_and_named(corners, laplac
     field = solver.paint([0, 25, 28], [0.0, 1.0, 2.0])
     assert np.isfinite(field).all()
     first = len(good.faces)
-    said = (f"1 face has no area; it is face {first}", f"2 faces have no area; the first is face {first}")
+    said = (f"face {first} has no area", f"face {first} has no area (and 1 more face)")
     assert solver.report.warnings[0] == said[solver.report.flat_faces - 1]
     solver.paint([0, 26], [0.0, 1.0])
     assert solver.report.warnings[0] == said[solver.report.flat_faces - 1]

@@ -31,6 +31,7 @@ def test_a_painting_is_sorted_and_unique():
 def test_a_vertex_with_two_values_names_both_patches():
     assert refusal([LEFT, RIGHT]) == (
         "vertex 2 is in 'left' with value 0 and in 'right' with value -2 (and 1 more vertex)"
+        "; an overlap rule decides: first, highest, average"
     )
 
 

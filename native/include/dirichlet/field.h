@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "dirichlet/defects.h"
 #include "dirichlet/mesh.h"
 #include "dirichlet/solver.h"
 
@@ -26,7 +27,7 @@ enum class Update : std::uint8_t {
 struct SolveReport {
   Laplacian laplacian = Laplacian::graph; ///< the one taken, never automatic
   std::string reason;                     ///< why automatic took it; else empty
-  Index flat_faces = 0;                   ///< faces without an area; 0 for the graph
+  Index flat_faces = 0;                   ///< faces without an area
   Method method = Method::direct;         ///< the one taken, never automatic
   Update update = Update::full;           ///< by the last change of paint
   double repeated = 1;                    ///< its share of the work of a whole factorisation, in [0, 1]
@@ -113,7 +114,7 @@ class HarmonicSolver {
  private:
   using Repeats = std::vector<std::array<Index, 2>>;
   void repaint(std::span<const Index> painted, Repeats repeats);
-  void describe(const Stiffness& stiffness);
+  void describe(const Stiffness& stiffness, Defects defects);
   void report_painting();
   void report_outside(const Outside& outside, SolveReport& report) const;
   [[nodiscard]] Field unchanged();
@@ -128,12 +129,12 @@ class HarmonicSolver {
   std::vector<Index> position_; ///< (V,) the row of every vertex
   std::vector<double> mass_;    ///< (V,) of every vertex
   bool maximum_principle_ = true;
-  std::vector<std::string> mesh_warnings_;
   std::unique_ptr<FixedRows> rows_;
-  std::unique_ptr<RegionSearch> regions_; ///< of the free rows
-  std::vector<Index> painted_;            ///< as given; empty while nothing is painted
-  Repeats repeats_;                       ///< places of painted_ that name a vertex again, and where it stood first
-  SolveReport base_;                      ///< what does not depend on the values
+  std::unique_ptr<RegionSearch> regions_;  ///< of the free rows
+  std::vector<Index> painted_;             ///< as given; empty while nothing is painted
+  Repeats repeats_;                        ///< places of painted_ that name a vertex again, and where it stood first
+  std::vector<std::string> mesh_warnings_; ///< for every report
+  SolveReport base_;                       ///< what does not depend on the values
 
   // The last painting, to tell what changed.
   Eigen::MatrixXd values_;

@@ -29,7 +29,7 @@ struct Isolines {
 /// runs along its rim. Points that coincide in succession are one; a line shrunk to a point is dropped. Higher values
 /// are on the left, seen from outside (on a surface without one outside: of the line's first triangle).
 ///
-/// \param mesh    any polygons; they are crossed as mesh.triangulated().
+/// \param mesh    any polygons; they are crossed as mesh.triangulated(), repeated faces away from borders once.
 /// \param field   (V,) NaN where undefined: triangles touching NaN carry no line; infinity is refused.
 /// \param levels  (K,) finite, any order; of equal ones the first carries the lines.
 /// \param cancel  stops the work within a fraction of a second, by a CancelledError

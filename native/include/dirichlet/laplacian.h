@@ -38,7 +38,7 @@ struct Stiffness {
   Index first_flat = -1;
 };
 
-/// Any operator of a mesh.
+/// Any operator of a mesh, in which repeated faces count once.
 ///
 /// graph: K = D − A and mass D, from polygon edges alone; see graph_stiffness.
 /// cotangent: of Mesh::triangulated(). A weight is half the cotangents opposite to the edge, a mass a third of the

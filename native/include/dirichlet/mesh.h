@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -62,8 +63,9 @@ class Mesh {
   [[nodiscard]] Index face_count() const { return static_cast<Index>(offsets_.size()) - 1; }
   [[nodiscard]] Index edge_count() const { return static_cast<Index>(connectivity_.edges.size() / 2); }
   [[nodiscard]] std::span<const double> positions() const { return positions_.view(); } ///< (V, 3)
-  [[nodiscard]] std::span<const Index> offsets() const { return offsets_; }             ///< (F + 1,)
-  [[nodiscard]] std::span<const Index> corners() const { return corners_; }             ///< (C,)
+  [[nodiscard]] const SharedArray<double>& shared_positions() const { return positions_; }
+  [[nodiscard]] std::span<const Index> offsets() const { return offsets_; } ///< (F + 1,)
+  [[nodiscard]] std::span<const Index> corners() const { return corners_; } ///< (C,)
   [[nodiscard]] const Connectivity& connectivity() const { return connectivity_; }
 
   /// Whether every face has three corners: then corner c belongs to face c / 3.
@@ -72,6 +74,14 @@ class Mesh {
   /// The same surface in triangles, over the same vertices: this mesh itself when it is triangular, else a mesh made at
   /// the first call and kept (see triangulation.h). \throws TopologyError  a polygon that has no triangulation.
   [[nodiscard]] const Mesh& triangulated() const;
+
+  /// Faces that repeat an earlier one, in either direction and from any corner, and that one: ascending. Found at the
+  /// first call and kept; two faces that are each other's back, and meet no others, are a pillow and none repeated.
+  [[nodiscard]] std::span<const std::array<Index, 2>> repeated_faces() const;
+
+  /// The same surface with every face once: this mesh itself unless faces are repeated, else a mesh over the same
+  /// vertices and edges, made at the first call and kept.
+  [[nodiscard]] const Mesh& without_repeats() const;
 
   /// The corners at every vertex, ascending: what a walk over the surface needs, and nothing else. Made at the first
   /// call and kept.
@@ -92,6 +102,10 @@ class Mesh {
   double build_seconds_ = 0;
   mutable std::once_flag triangulate_once_;
   mutable std::unique_ptr<const Mesh> triangulated_;
+  mutable std::once_flag find_repeats_once_;
+  mutable std::vector<std::array<Index, 2>> repeated_faces_;
+  mutable std::once_flag leave_out_repeats_once_;
+  mutable std::unique_ptr<const Mesh> without_repeats_;
   mutable std::once_flag group_corners_once_;
   mutable std::shared_ptr<const Groups> corners_by_vertex_;
 };

@@ -27,9 +27,9 @@ struct MeshArrays {
 MeshArrays read_mesh_file(const std::filesystem::path& path);
 
 /// Writes OBJ, PLY, OFF or STL, by the ending. All but STL (binary, in float and triangles) read back bit for bit what
-/// a Mesh has; PLY is binary and carries `colors` when given. \param colors  (V, 3) in 0 … 255, or empty. Written beside the target,
-/// then renamed: an error leaves what was there. \throws InputError  unwritable, unknown ending, or colours for a
-/// format that has none.
+/// a Mesh has; PLY is binary and carries `colors` when given. \param colors  (V, 3) in 0 … 255, or empty. Written
+/// beside the target, then renamed: an error leaves what was there. \throws InputError  unwritable, unknown ending, or
+/// colours for a format that has none.
 void write_mesh_file(const std::filesystem::path& path, std::span<const double> positions,
                      std::span<const Index> offsets, std::span<const Index> corners,
                      std::span<const unsigned char> colors = {});

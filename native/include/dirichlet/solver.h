@@ -49,6 +49,7 @@ struct SolverStatistics {
   Method method = Method::direct;   ///< what automatic chose
   std::int64_t nonzeros = 0;        ///< of the matrix, the same for every painting
   std::int64_t factor_nonzeros = 0; ///< numbers stored for L; 0 for an iterative method
+  std::int64_t factor_bytes = 0;    ///< that the factor needs, what makes strokes quick not counted; 0 as above
   double analysis_seconds = 0;      ///< ordering and symbolic analysis, once per matrix
 };
 

@@ -23,7 +23,7 @@ from .lines import (
     level_through_point,
     stepped_levels,
 )
-from .mesh import Mesh, PatchFacts, inspect_patches, read_mesh, write_mesh
+from .mesh import Defects, Mesh, PatchFacts, find_defects, inspect_patches, read_mesh, write_mesh
 from .operators import LAPLACIANS, CsrMatrix, dirichlet_laplacian, lumped_mass, stiffness_matrix
 from .painting import Painting, Patch, combine_patches
 
@@ -32,6 +32,7 @@ __all__ = [
     "CancelToken",
     "CancelledError",
     "CsrMatrix",
+    "Defects",
     "DirichletError",
     "Field",
     "HarmonicSolver",
@@ -51,6 +52,7 @@ __all__ = [
     "equal_area_levels",
     "equal_distance_levels",
     "even_levels",
+    "find_defects",
     "geodesic_disc",
     "inspect_patches",
     "isolines",

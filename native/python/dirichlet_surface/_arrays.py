@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._native import InputError
+from ._text import and_more
 
 Indices = NDArray[np.int32]
 Reals = NDArray[np.float64]
@@ -35,8 +36,10 @@ def as_indices(values: ArrayLike, what: str) -> Indices:
         raise InputError(f"{what} have to be whole numbers, not {_kind(values, array)}")
     limits = np.iinfo(np.int32)
     if array.size > 0 and (array.min() < limits.min or array.max() > limits.max):
-        place = int(np.flatnonzero((array.ravel() < limits.min) | (array.ravel() > limits.max))[0])
-        raise InputError(f"{what} have {array.ravel()[place]} at place {place}, which is not an index")
+        bad = np.argwhere((array < limits.min) | (array > limits.max))
+        place = f"row {bad[0][0]}" if array.ndim > 1 else f"place {bad[0][0]}"
+        number = array[tuple(bad[0])]
+        raise InputError(f"{what} have {number} at {place}, which is not an index{and_more(len(bad), 'number')}")
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
@@ -83,5 +86,5 @@ def require_shape(array: NDArray[Any], shape: tuple[int | None, ...], what: str)
     """Refuses another shape; None stands for any size."""
     fits = array.ndim == len(shape) and all(want in (None, got) for want, got in zip(shape, array.shape, strict=True))
     if not fits:
-        wanted = " × ".join("any" if size is None else str(size) for size in shape)
-        raise InputError(f"{what} have the shape {array.shape}, but have to be {wanted}")
+        wanted = ", ".join("any" if size is None else str(size) for size in shape)
+        raise InputError(f"{what} have the shape {array.shape} in place of ({wanted}{',' * (len(shape) == 1)})")

@@ -16,9 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._native import DirichletError, InputError
+from ._text import counted
 from .field import METHODS, Field, solve
 from .lines import Isolines, even_levels, isolines, level_through_point, stepped_levels
-from .mesh import Mesh, inspect_patches, read_mesh
+from .mesh import Mesh, find_defects, inspect_patches, read_mesh
 from .operators import LAPLACIANS
 from .output import FIELD_WRITERS, LINE_WRITERS, write_all, write_json
 from .painting import OVERLAP_RULES, Patch, combine_patches
@@ -114,6 +115,7 @@ def make_report(
 ) -> dict[str, Any]:
     """Everything known about a run, ready for JSON."""
     closed = int(np.count_nonzero(lines.closed))
+    defects = find_defects(mesh)
     facts = inspect_patches(mesh, [patch.vertices for patch in patches])
     return {
         "mesh": {
@@ -122,6 +124,9 @@ def make_report(
             "faces": mesh.face_count,
             "components": mesh.components()[1],
             "border_loops": len(mesh.border_loops()[0]) - 1,
+            "repeated_faces": defects.repeated_faces,
+            "flat_faces": defects.flat_faces,
+            "coincident_vertices": defects.coincident_vertices,
         },
         "patches": [
             {"name": patch.name, "value": np.asarray(patch.values, dtype=float).tolist(), **dataclasses.asdict(fact)}
@@ -170,10 +175,11 @@ def run(args: argparse.Namespace) -> str:
     closed = int(np.count_nonzero(lines.closed))
     return "\n".join(
         [
-            f"{args.mesh}: {mesh.vertex_count} vertices, {mesh.face_count} faces",
+            f"{args.mesh}: {counted(mesh.vertex_count, 'vertex')}, {counted(mesh.face_count, 'face')}",
             f"field: {field.report.summary()}",
             *([f"laplacian: {taken.laplacian}, as {taken.reason}"] if (taken := field.report).reason else []),
-            f"isolines: {len(lines)} on {len(lines.levels)} levels, {closed} closed, {len(lines) - closed} open",
+            f"isolines: {len(lines)} on {counted(len(lines.levels), 'level')}, {closed} closed, "
+            f"{len(lines) - closed} open",
             *(f"warning: {text}" for text in (*painting.warnings, *field.report.warnings, *lines.warnings)),
             *(f"wrote {path}" for path in (args.out_field, args.out_lines, args.report) if path),
         ]
@@ -189,8 +195,9 @@ def main(words: Sequence[str] | None = None) -> int:
     add_arguments(parser)
     args = parser.parse_args(shield_numbers(sys.argv[1:] if words is None else words))
     try:
-        print(run(args))
-    except DirichletError as error:
-        print(f"{parser.prog}: {error}", file=sys.stderr)
+        summary = run(args)
+    except (DirichletError, MemoryError) as error:
+        print(f"{parser.prog}: {str(error) or 'there is not enough memory for this'}", file=sys.stderr)
         return REFUSED
+    print(summary)
     return 0

@@ -8,7 +8,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._arrays import Reals, as_count, as_painted, as_reals, require_name, require_shape
+from ._arrays import Reals, as_count, as_painted, as_real, as_reals, require_name, require_shape
 from ._native import InputError
 from .cancel import CancelToken, as_token
 from .mesh import Mesh, require_mesh
@@ -142,7 +142,7 @@ class HarmonicSolver:
             method,
             precision,
             memory_budget,
-            tolerance,
+            None if tolerance is None else as_real(tolerance, "tolerances"),
             max_iterations,
             as_token(cancel),
         )
@@ -177,7 +177,7 @@ class HarmonicSolver:
     ) -> Reals:
         columns = as_reals(values, "painted values")
         if columns.ndim not in (1, 2):
-            raise InputError(f"painted values have the shape {columns.shape}, but have to be (C,) or (C, k)")
+            raise InputError(f"painted values have the shape {columns.shape} in place of (C,) or (C, k)")
         forcing = None
         if source is not None:
             forcing = as_reals(source, "sources")

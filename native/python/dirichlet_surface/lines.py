@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._arrays import Indices, Reals, as_count, as_real, as_reals, require_shape
+from ._text import and_more, counted, told_apart
 from .cancel import CancelToken, as_token
 from .mesh import Mesh, require_mesh
 
@@ -67,30 +68,43 @@ def isolines(mesh: Mesh, values: ArrayLike, levels: ArrayLike, *, cancel: Cancel
     start = time.perf_counter()
     arrays = _native.extract_isolines(mesh, field, cuts, as_token(cancel))
     seconds = time.perf_counter() - start
-    return Isolines(**arrays, levels=cuts, seconds=seconds, warnings=_level_warnings(field, cuts))
+    return Isolines(**arrays, levels=cuts, seconds=seconds, warnings=_level_warnings(field, cuts, arrays["level"]))
 
 
-def _level_warnings(field: Reals, levels: Reals) -> tuple[str, ...]:
+def _level_warnings(field: Reals, levels: Reals, carried: Indices) -> tuple[str, ...]:
+    """`carried`: (L,) the level of every line."""
     warnings = []
-    repeated = len(levels) - len(np.unique(levels))
+    distinct, places = np.unique(levels, return_index=True)
+    repeated = len(levels) - len(distinct)
     if repeated:
-        warnings.append(f"{repeated} of {len(levels)} levels repeat another and are counted once")
+        verb = "repeats another and counts" if repeated == 1 else "repeat another and count"
+        warnings.append(f"{repeated} of {counted(len(levels), 'level')} {verb} once")
     low, high = np.fmin.reduce(field), np.fmax.reduce(field)  # of what is not NaN, without a copy
     if low <= high:
-        outside = np.count_nonzero((levels < low) | (levels > high))
-        if outside:
-            warnings.append(f"{outside} of {len(levels)} levels lie outside the field's range {low:.6g} to {high:.6g}")
+        outside = (distinct < low) | (distinct > high)
+        missed = ~outside & ~np.isin(places, carried)
+        if outside.any():
+            place, count = places[outside].min(), int(np.count_nonzero(outside))
+            level, *ends = told_apart(levels[place], low, high)
+            text = f"level {level} (at place {place}) lies outside the field's range {' to '.join(ends)}"
+            warnings.append(text + and_more(count, "level"))
+        if missed.any():
+            place, count = places[missed].min(), int(np.count_nonzero(missed))
+            text = f"level {levels[place]:.6g} (at place {place}) has no line, as the field does not cross it"
+            warnings.append(text + and_more(count, "level"))
     return tuple(warnings)
 
 
 def even_levels(low: float, high: float, count: int) -> Reals:
     """`count` levels spread evenly inside the window: low + (k + ½)(high − low)/count; none at its ends."""
-    return _native.even_levels(low, high, as_count(count, "the number of levels", _MOST_LEVELS))
+    ends = as_real(low, "ends of the window"), as_real(high, "ends of the window")
+    return _native.even_levels(*ends, as_count(count, "the number of levels", _MOST_LEVELS))
 
 
 def stepped_levels(low: float, high: float, step: float, phase: float = 0.0) -> Reals:
     """The levels (k + phase) · step strictly inside (low, high); a phase from 0 to 1 moves the lines by one step."""
-    return _native.stepped_levels(low, high, step, phase)
+    ends = as_real(low, "ends of the window"), as_real(high, "ends of the window")
+    return _native.stepped_levels(*ends, as_real(step, "steps"), as_real(phase, "phases"))
 
 
 def equal_area_levels(

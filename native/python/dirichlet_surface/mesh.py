@@ -4,6 +4,7 @@
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,13 +31,13 @@ class Mesh(_native.Mesh):
     def __init__(self, positions: ArrayLike, faces: ArrayLike | tuple[ArrayLike, ArrayLike]) -> None:
         points = as_reals(positions, "positions")
         require_shape(points, (None, 3), "positions")
-        if isinstance(faces, tuple) and len(faces) == 2:
+        if isinstance(faces, tuple) and _are_offsets_and_corners(faces):
             offsets, corners = as_indices(faces[0], "face offsets"), as_indices(faces[1], "face corners")
             require_shape(offsets, (None,), "face offsets")
             require_shape(corners, (None,), "face corners")
             super().__init__(points, offsets, corners)
         else:
-            corners = as_indices(faces, "faces")
+            corners = as_indices(cast(ArrayLike, faces), "faces")
             if corners.size == 0:
                 raise InputError("the mesh has no faces")
             require_shape(corners, (None, None), "faces")
@@ -46,22 +47,50 @@ class Mesh(_native.Mesh):
         return f"Mesh({self.vertex_count} vertices, {self.edge_count} edges, {self.face_count} faces)"
 
 
+def _are_offsets_and_corners(faces: tuple[ArrayLike, ...]) -> bool:
+    """Whether a tuple is that pair, and not the faces themselves: two of one size are as long as each other, which the
+    pair is only where a face is empty."""
+    if len(faces) != 2 or np.size(faces[0]) != np.size(faces[1]):
+        return len(faces) == 2
+    first = np.ravel(faces[0]).tolist()
+    return first[:1] == [0] and first[-1] == len(first) and len(set(first)) < len(first)
+
+
 def require_mesh(mesh: Mesh) -> None:
     """Refuses what is none, such as the arrays that one is made of."""
     if not isinstance(mesh, Mesh):
         raise InputError(f"this needs a Mesh, not {type(mesh).__name__}")
 
 
-def read_mesh(path: str | os.PathLike[str]) -> Mesh:
+@dataclass(frozen=True)
+class Defects:
+    """What is legal in a mesh but seldom meant. A field is solved all the same, with these warnings in its report."""
+
+    repeated_faces: int
+    """round the same vertices as an earlier face; they count once"""
+    flat_faces: int
+    """whose area is exactly zero"""
+    coincident_vertices: int
+    """on a border, exactly where an earlier vertex of a border is: a seam that was never joined"""
+    warnings: tuple[str, ...]
+
+
+def find_defects(mesh: Mesh) -> Defects:
+    """What to tell whoever made the mesh. Cost: O(V + C)."""
+    require_mesh(mesh)
+    return Defects(**_native.find_defects(mesh))
+
+
+def read_mesh(path: str | bytes | os.PathLike[str]) -> Mesh:
     """The mesh in an OBJ, PLY, OFF or STL file, told apart by its ending; non-manifold faces are kept.
 
     Raises InputError (naming the file and the line or byte) where it is unreadable or damaged, and what Mesh raises.
     """
-    positions, offsets, corners = _native.read_mesh_file(os.fspath(path))
+    positions, offsets, corners = _native.read_mesh_file(os.fsencode(path))
     return Mesh(positions, (offsets, corners))
 
 
-def write_mesh(path: str | os.PathLike[str], mesh: Mesh, colors: ArrayLike | None = None) -> None:
+def write_mesh(path: str | bytes | os.PathLike[str], mesh: Mesh, colors: ArrayLike | None = None) -> None:
     """Writes OBJ, PLY, OFF or STL, by the ending. colors: (V, 3) in 0 … 255, for PLY.
 
     An error leaves what was there. Raises InputError: unwritable, unknown ending, colours where there is no room.
@@ -74,7 +103,7 @@ def write_mesh(path: str | os.PathLike[str], mesh: Mesh, colors: ArrayLike | Non
         if numbers.size and (numbers.min() < 0 or numbers.max() > 255):
             raise InputError("colors have to lie between 0 and 255")
         bytes_ = numbers.astype(np.uint8)
-    _native.write_mesh_file(os.fspath(path), mesh, bytes_)
+    _native.write_mesh_file(os.fsencode(path), mesh, bytes_)
 
 
 @dataclass(frozen=True)

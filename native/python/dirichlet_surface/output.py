@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
+import shutil
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -28,15 +30,22 @@ def write_all(files: Sequence[tuple[Path, Callable[[Path], None]]]) -> None:
     unless it is a renaming that fails: the targets before that one are new already.
     """
     _check_targets([target for target, _ in files])
-    beside = [target.with_name(f".{os.getpid()}-{number}{target.suffix}") for number, (target, _) in enumerate(files)]
-    target = Path()
+    places = [target.resolve() if target.is_symlink() else target for target, _ in files]  # a link stays one
+    beside = [place.with_name(f".{os.getpid()}-{number}{place.suffix}") for number, place in enumerate(places)]
+    target = path = Path()
     try:
-        for (target, write), path in zip(files, beside):  # noqa: B007 (the error below names the target)
+        for (target, write), place, path in zip(files, places, beside):  # noqa: B007 (the errors below name the target)
+            if place.exists():
+                place.open("ab").close()  # a file that may not be written: the renaming would not ask
             write(path)
-        for (target, _), path in zip(files, beside):
-            os.replace(path, target)
+            if place.exists():
+                shutil.copymode(place, path)
+        for (target, _), place, path in zip(files, places, beside):  # noqa: B007
+            os.replace(path, place)
     except OSError as error:
         raise InputError(f"cannot write '{target}': {error.strerror or error}") from error
+    except InputError as error:  # of a writer that was told the path beside
+        raise InputError(str(error).replace(str(path), str(target))) from error
     finally:
         for path in beside:
             path.unlink(missing_ok=True)
@@ -57,7 +66,9 @@ def _check_targets(targets: Sequence[Path]) -> None:
 
 def write_field_npy(mesh: Mesh, field: Field, path: Path) -> None:
     """(V,) float64, NaN where undefined."""
-    np.save(path, field.values)
+    content = io.BytesIO()  # into a file NumPy writes by itself, and takes no notice of a disk that is full at the end
+    np.save(content, field.values)
+    path.write_bytes(content.getbuffer())
 
 
 def write_field_csv(mesh: Mesh, field: Field, path: Path) -> None:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ._arrays import as_indices, as_reals, require_shape
 from ._native import InputError
+from ._text import and_more, exactly
 
 OverlapRule = Literal["error", "first", "highest", "average"]
 OVERLAP_RULES: tuple[OverlapRule, ...] = get_args(OverlapRule)
@@ -85,7 +86,7 @@ def _checked_arrays(patch: Patch, vertex_count: int) -> tuple[NDArray[np.int32],
     if outside.size:
         raise InputError(
             f"patch '{patch.name}' has the vertex {vertices[outside[0]]}, "
-            f"but the vertices are 0 to {vertex_count - 1}{_and_more(outside.size)}"
+            f"but the vertices are 0 to {vertex_count - 1}{and_more(outside.size, 'vertex')}"
         )
     values = as_reals(patch.values, f"the values of patch '{patch.name}'")
     if np.ndim(patch.values) > 0:
@@ -95,7 +96,7 @@ def _checked_arrays(patch: Patch, vertex_count: int) -> tuple[NDArray[np.int32],
     if bad.size:
         raise InputError(
             f"patch '{patch.name}' has the value {values[bad[0]]} at vertex {vertices[bad[0]]}, "
-            f"which is not finite{_and_more(bad.size)}"
+            f"which is not finite{and_more(bad.size, 'vertex')}"
         )
     return vertices, values
 
@@ -111,7 +112,8 @@ def _merge(
     vertices, first, count = np.unique(entries.vertices, return_index=True, return_counts=True)
     values = entries.values[first]
     if overlap == "error":
-        _refuse_two_values(entries, names, np.arange(len(entries.values)), np.repeat(first, count))
+        way_out = f"; an overlap rule decides: {', '.join(OVERLAP_RULES[1:])}"
+        _refuse_two_values(entries, names, np.arange(len(entries.values)), np.repeat(first, count), way_out)
     elif overlap == "highest":
         values = np.maximum.reduceat(entries.values, first)
     elif overlap == "average":  # through differences of shares, so that equal values stay exact and huge ones finite
@@ -121,7 +123,7 @@ def _merge(
 
 
 def _refuse_two_values(
-    entries: _Entries, names: Sequence[str], places: NDArray[np.intp], others: NDArray[np.intp]
+    entries: _Entries, names: Sequence[str], places: NDArray[np.intp], others: NDArray[np.intp], way_out: str = ""
 ) -> None:
     """Raises when the entry at one of `places` disagrees with the one at the same place of `others`, its vertex's."""
     clashes = np.flatnonzero(entries.values[places] != entries.values[others])
@@ -130,21 +132,13 @@ def _refuse_two_values(
     place, other = places[clashes[0]], others[clashes[0]]
     raise InputError(
         f"vertex {entries.vertices[place]} is in {_with_value(entries, names, other)} and in "
-        f"{_with_value(entries, names, place)}{_and_more(np.unique(entries.vertices[places[clashes]]).size)}"
+        f"{_with_value(entries, names, place)}"
+        f"{and_more(np.unique(entries.vertices[places[clashes]]).size, 'vertex')}{way_out}"
     )
 
 
 def _with_value(entries: _Entries, names: Sequence[str], place: int) -> str:
-    value = entries.values[place]
-    with np.errstate(over="ignore"):
-        short = np.float32(value)  # as Blender keeps a number: 0.1, not 0.10000000149011612
-    text = str(short if short == value else value).removesuffix(".0")  # tells neighbouring floats apart
-    return f"'{names[entries.owners[place]]}' with value {text}"
-
-
-def _and_more(count: int) -> str:
-    """What a message about the first of `count` vertices adds."""
-    return "" if count == 1 else f" (and {count - 1} more {'vertex' if count == 2 else 'vertices'})"
+    return f"'{names[entries.owners[place]]}' with value {exactly(entries.values[place])}"
 
 
 def _no_vertices(names: Sequence[str]) -> str:

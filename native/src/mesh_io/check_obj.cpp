@@ -39,7 +39,7 @@ class ObjCheck {
       const double value = in_.finite(word, "a coordinate");
       if (count < 3) checked_.positions.push_back(value);
     }
-    if (count < 3) in_.fail("the vertex has ", count, " coordinates, not three");
+    if (count < 3) in_.fail("the vertex has ", counted(count, "coordinate"), ", not three");
     checked_.stream += "v\n"; // counted by OpenMesh for the sake of negative indices
   }
 
@@ -53,7 +53,7 @@ class ObjCheck {
       checked_.stream.append(" ").append(word);
     }
     checked_.stream += '\n';
-    if (words < 3) in_.fail("the face has ", words, words == 1 ? " corner" : " corners", ", not three or more");
+    if (words < 3) in_.fail("the face has ", counted(words, "corner"), ", not three or more");
     while (corners_.size() > 1 && corners_.back() == corners_.front()) corners_.pop_back();
     if (corners_.size() < 3) in_.fail("the face has fewer than three different vertices");
     ++checked_.faces;
@@ -76,7 +76,8 @@ class ObjCheck {
     const auto so_far = static_cast<std::int64_t>(checked_.positions.size() / 3);
     const std::int64_t resolved = *vertex < 0 ? so_far + *vertex + 1 : *vertex;
     if (resolved >= 1 && resolved <= vertex_count_) return resolved;
-    if (*vertex < 0) in_.fail("the face names vertex ", *vertex, ", but only ", so_far, " vertices come before it");
+    if (*vertex < 0)
+      in_.fail("the face names vertex ", *vertex, ", with only ", counted(so_far, "vertex"), " before it");
     in_.fail("the face names vertex ", *vertex, ", but the file's vertices are 1 to ", vertex_count_);
   }
 

@@ -23,7 +23,7 @@ void read_head(TextScanner& in) {
 std::size_t read_count(TextScanner& in, std::string_view what, std::size_t characters) {
   const std::int64_t count = in.whole(in.expect(what), what);
   if (count < 0 || static_cast<std::size_t>(count) > in.remaining() / characters)
-    in.fail(what, " is ", count, ", but the file goes on for ", in.remaining(), " bytes only");
+    in.fail(what, " is ", count, ", but the file goes on for ", counted(in.remaining(), "byte"), " only");
   return static_cast<std::size_t>(count);
 }
 

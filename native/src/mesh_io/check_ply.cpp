@@ -97,13 +97,14 @@ class BodyCheck {
     const double count = in_.next(*p.count);
     if (count < 0) in_.fail("a list cannot have ", count, " entries");
     if (count > static_cast<double>(in_.remaining()))
-      in_.fail("a list of ", count, " entries is promised, but only ", in_.remaining(), " bytes follow");
+      in_.fail("a list of ", count, " entries is promised, with only ", counted(in_.remaining(), "byte"), " left");
     return static_cast<std::size_t>(count);
   }
 
   std::size_t corners(std::size_t face, const PlyProperty& p) {
     const std::size_t count = list_length(p);
-    if (count < 3) in_.fail("face ", face, " has ", count, count == 1 ? " corner" : " corners", ", not three or more");
+    if (count < 3)
+      in_.fail("face ", face, " has ", counted(static_cast<std::int64_t>(count), "corner"), ", not three or more");
     for (std::size_t c = 0; c < count; ++c) {
       const double vertex = in_.next(p.type);
       if (vertex < 0 || vertex >= vertex_count_)

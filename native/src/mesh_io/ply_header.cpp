@@ -71,8 +71,8 @@ void check_promises(const TextScanner& in, const PlyHeader& header) {
   for (const PlyElement& element : header.elements) {
     const std::size_t least = least_size(element, header.encoding);
     if (least > 0 && element.count > (in.remaining() + 1) / least) // the last blank may be missing
-      in.fail("the header promises ", element.count, " ", quoted(element.name), " elements, but only ", in.remaining(),
-              " bytes follow");
+      in.fail("the header promises ", element.count, " ", quoted(element.name), " elements, with only ",
+              counted(in.remaining(), "byte"), " left");
   }
 }
 

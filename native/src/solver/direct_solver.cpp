@@ -45,7 +45,8 @@ class DirectSolver final : public Solver {
       : symbolic_(analysis.symbolic), matrix_(std::make_shared<const OrderedMatrix>(order_matrix(K, symbolic_->order))),
         factor_(symbolic_, matrix_, most_kept, options.cancel), tolerance_(options.tolerance.value_or(kTwinTolerance)),
         max_iterations_(options.max_iterations.value_or(kMostTwinIterations)) {
-    statistics_ = {Method::direct, K.nonZeros(), symbolic_->factor_size(), analysis.seconds};
+    statistics_ = {Method::direct, K.nonZeros(), symbolic_->factor_size(),
+                   Factor<Real>::bytes_needed(*symbolic_, K.nonZeros(), 0), analysis.seconds};
   }
 
   [[nodiscard]] SparseView matrix() const override { return view(*matrix_); }

@@ -119,8 +119,10 @@ void Factor<Real>::eliminate(Index s, const Mask& fixed, Real* update, std::span
   };
   const auto pieces = team == nullptr ? 1 : static_cast<Index>(team->size());
   if (const Index good = factor_panel(kernels_, panel, m, w, m, pieces, share_out); good < w)
-    throw SolverError(message("the matrix is singular", sizeof(Real) < sizeof(double) ? " to single precision" : "",
-                              " at vertex ", f.order[at(first + good)]));
+    throw SolverError(
+        message("the matrix is singular", sizeof(Real) < sizeof(double) ? " to single precision" : "", " at vertex ",
+                f.order[at(first + good)],
+                sizeof(Real) < sizeof(double) ? "; a float64 factor may do better" : "; the graph Laplacian never is"));
   share_out((r + UpdateLayout::kBlock - 1) / UpdateLayout::kBlock, [&](Index block) {
     const Index j = block * UpdateLayout::kBlock, below = r - j;
     kernels_.rank_update(update + UpdateLayout::block(r, j), below, panel + w + j, m, below, w, 0,

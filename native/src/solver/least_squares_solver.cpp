@@ -58,8 +58,9 @@ class LeastSquaresSolver final : public IterativeSolver {
       cancel_.check();
       x.col(column) = cg.solve(prescribed.col(column)).eval();
       if (cg.info() != Eigen::Success)
-        throw SolverError(message("least-squares conjugate gradients stopped at ", cg.error(), " after ",
-                                  cg.iterations(), " steps, short of the tolerance ", tolerance_));
+        throw SolverError(message("least-squares conjugate gradients stopped at ", roughly(cg.error()), " after ",
+                                  counted(cg.iterations(), "step"), ", short of the tolerance ", tolerance_,
+                                  "; allow more steps or a larger tolerance, or take the direct method"));
       iterations = std::max(iterations, static_cast<Index>(cg.iterations()));
     }
     return iterations;

@@ -143,8 +143,9 @@ class Multigrid::Iteration {
       const bool stands = residual > std::exchange(before, residual) / 2; // rounding allows no less
       if (stands && to_rounding && residual <= rounding()) return {steps, residual};
       if (steps >= max_iterations || stands)
-        throw SolverError(message("multigrid conjugate gradients stopped at a relative residual of ", residual,
-                                  " after ", steps, " steps, short of the tolerance ", tolerance));
+        throw SolverError(message("multigrid conjugate gradients stopped at a relative residual of ", roughly(residual),
+                                  " after ", counted(steps, "step"), ", short of the tolerance ", tolerance,
+                                  "; allow more steps or a larger tolerance, or take the direct method"));
       double rho = 0;
       do {
         grid_.cancel_.check();

@@ -59,8 +59,9 @@ Index refine(const SparseView& K, const Mask& mask, const Factor<float>& factor,
     }
     if (step == max_iterations)
       throw SolverError(message("refinement of the float32 factor stopped at the relative residual ",
-                                (norm / goal).maxCoeff() * tolerance, " after ", step,
-                                " steps, short of the tolerance ", tolerance));
+                                roughly((norm / goal).maxCoeff() * tolerance), " after ", counted(step, "step"),
+                                ", short of the tolerance ", tolerance,
+                                "; a float64 factor needs no steps, a larger tolerance fewer"));
     precondition(factor, r, norm, work, q);
     const Eigen::ArrayXd last = rz;
     rz = (norm <= goal).select(0, free_dots(mask, r, q));

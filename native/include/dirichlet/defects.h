@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "dirichlet/mesh.h"
+
+namespace dirichlet {
+
+/// What is legal in a mesh but seldom meant. A field is solved all the same; who asks for it should hear of this.
+struct Defects {
+  Index repeated_faces = 0;                ///< round the same vertices as an earlier face: count once
+  std::array<Index, 2> first_repeat{};     ///< the lowest of them, and the face it repeats
+  Index flat_faces = 0;                    ///< faces whose area is exactly zero
+  Index first_flat = 0;                    ///< the lowest of them
+  Index coincident_vertices = 0;           ///< vertices on a border exactly where an earlier one on a border is
+  std::array<Index, 2> first_coincident{}; ///< the lowest of them, after the one it coincides with
+
+  [[nodiscard]] std::vector<std::string> warnings() const; ///< one sentence for each kind that there is
+};
+
+/// Cost: O(V + C), on all cores; another O(V) where there are borders.
+Defects find_defects(const Mesh& mesh);
+
+} // namespace dirichlet
