@@ -11,6 +11,8 @@ from __future__ import annotations
 
 from math import log2
 
+import bpy
+
 _CONNECTIVITY, _ITERATIVE, _FACTOR = 160, 420, 70
 _STORED = 20  # for a number of the factor, with what makes strokes quick
 
@@ -32,3 +34,11 @@ def of_field(vertices: int, method: str, memory_budget: int | None, coupled: flo
     if method in ("multigrid", "lscg"):
         return iterative
     return min(direct, max(memory_budget, iterative)) if method == "auto" and memory_budget else direct
+
+
+def of_object(obj: bpy.types.Object, memory_budget: int | None) -> float:
+    """As `of_field`, for the mesh and the settings of an object."""
+    mesh, settings = obj.data, obj.dirichlet
+    couples = settings.laplacian in ("polygon", "auto")  # the automatic one may take polygon
+    coupled = len(mesh.loops) / max(len(mesh.polygons), 1) if couples else 3.0
+    return of_field(len(mesh.vertices), settings.method, memory_budget, coupled)

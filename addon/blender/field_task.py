@@ -91,8 +91,7 @@ def read(
     table = ramp.read_table(obj) if material.find_ramp(obj) else None
     clock.lap("read")
     options = _options(obj.dirichlet)
-    size, method, budget = len(session.arrays.positions), options["method"], options["memory_budget"]
-    make_room(session, expected_memory.of_field(size, method, budget))
+    make_room(session, expected_memory.of_object(obj, options["memory_budget"]))
     return FieldTask(session, surface, patches, painted, options, table, clock)
 
 

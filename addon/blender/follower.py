@@ -141,7 +141,7 @@ class Follower:
         why not all of it does."""
         if not self.job:
             return
-        job, work, self.job = self.job, self._work, None
+        job, work, self.job, self._work = self.job, self._work, None, None  # which would keep a forgotten session
         aim = work.aim if work else Change.LINES
         if self.pending & aim or aim not in still or not self._fits(obj):
             return

@@ -145,7 +145,8 @@ def _advance(
     depsgraph: bpy.types.Depsgraph | None = None,
 ) -> None:
     """Writes what is computed, begins on what is due, and writes that too unless a thread takes long."""
-    _finish(follower, obj)
+    if not follower.is_computing():  # as it is where what was evaluated just before began on it
+        _finish(follower, obj)
     follower.begin(obj, thread=thread, depsgraph=depsgraph)
     follower.wait(_PATIENCE)
     if not follower.is_computing():

@@ -123,7 +123,7 @@ def _naming(name: str, held: Sequence[Held]) -> Iterator[None]:
     try:
         yield
     except library.load().DirichletError as error:
-        if len(held) == 1 or f"object '{name}'" in str(error):
+        if len(held) == 1 or f"'{name}'" in str(error):  # in any language
             raise
         raise type(error)(say("object '{name}': {reason}", name=name, reason=error)) from error
 

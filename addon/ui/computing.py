@@ -161,7 +161,7 @@ class DIRICHLET_OT_ask_first(bpy.types.Operator):
         column.label(text="Esc cancels while it computes", icon="EVENT_ESC")
 
     def execute(self, context):
-        getattr(bpy.ops.dirichlet, self.asking)("INVOKE_DEFAULT", confirmed=True)
+        getattr(bpy.ops.dirichlet, self.asking)("INVOKE_DEFAULT", True, confirmed=True)  # True: with its undo step
         return {"FINISHED"}
 
 

@@ -3,6 +3,7 @@
 
 import importlib
 import time
+from threading import Event
 
 import bpy
 import numpy as np
@@ -149,18 +150,25 @@ def test_a_newer_stroke_stops_what_live_computes_and_never_an_operator_on_the_sa
     assert work.threads._running == set()
 
 
-def test_newer_levels_stop_lines_that_are_traced_in_a_thread(live, grid_live):
+def test_newer_levels_stop_lines_that_are_traced_in_a_thread(live, module, grid_live, monkeypatch):
     grid_live.dirichlet.live = False  # so that no field is due with them
     grid_live.dirichlet.preview = True
     settle(live)
+    line_task, newer = module("lines.line_task").LineTask, Event()
+    trace_now = line_task.compute
+
+    def trace_later(self, *how):
+        newer.wait(10)
+        return trace_now(self, *how)
+
+    monkeypatch.setattr(line_task, "compute", trace_later)
     grid_live.dirichlet.count = 7
     live._tick()
     (follower,) = live._followers.values()
     (task,) = follower._work.lines.values()
-    follower.is_computing = lambda: True  # as they are, where they take long
     grid_live.dirichlet.count = 8
+    newer.set()
     assert task.cancel.is_cancelled
-    del follower.is_computing
     run_timer(live)
     assert len(live.preview_of(grid_live).lines) == 8
     assert grid_live.dirichlet.results.problem == ""

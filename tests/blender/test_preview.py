@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lines in the viewport: what goes to the graphics card."""
 
+import dataclasses
 import importlib
 from types import SimpleNamespace
 
@@ -85,6 +86,8 @@ def test_lines_that_a_result_draws_as_tubes_are_known(addon, live, grid_live):
     settle(live)
     result, shown = settings.isolines, live.preview_of(grid_live).lines
     assert geometry.is_drawn_by(result, shown)
+    moved = dataclasses.replace(shown, points=shown.points + 5.0)
+    assert not geometry.is_drawn_by(result, moved)
     settings.bevel_depth = 0
     assert not geometry.is_drawn_by(result, shown)
     settings.bevel_depth = 0.01

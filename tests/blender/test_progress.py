@@ -159,6 +159,16 @@ def test_without_a_window_invoking_computes_at_once_and_asks_nothing(module, mon
     assert obj.dirichlet.results.extracted
 
 
+def test_what_was_asked_about_first_has_its_undo_step():
+    painted_sphere()
+    bpy.ops.ed.undo_push(message="painted")
+    assert bpy.ops.dirichlet.ask_first("EXEC_DEFAULT", True, asking="solve_field") == {"FINISHED"}
+    assert "dirichlet_field" in bpy.context.active_object.data.attributes
+    bpy.ops.ed.undo()
+    assert len(bpy.context.active_object.dirichlet.patches) == 2
+    assert "dirichlet_field" not in bpy.context.active_object.data.attributes
+
+
 @pytest.mark.parametrize(("vertices", "measured"), [(125_316, 1257), (1_000_000, 1392), (4_000_000, 1559)])
 def test_expected_memory_is_what_was_measured(module, vertices, measured):
     expected = module("expected_memory").of_field(vertices, "direct", None) / vertices

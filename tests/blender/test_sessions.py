@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is kept of a mesh between two solves, and when it is not."""
 
+import gc
 import importlib
 import time
+import weakref
 from threading import Thread
 
 import bmesh
 import bpy
 import numpy as np
 import pytest
-from scene import field_of, library_mesh, paint, painted_grid
+from scene import add, field_of, library_mesh, paint, painted_grid
 
 
 @pytest.fixture
@@ -194,3 +196,45 @@ def test_after_an_interruption_the_next_painting_is_whole(two_paintings, surface
     with pytest.raises(surface.CancelledError):
         session.paint(painting, {"method": "auto"}, stop=mine)
     assert np.isfinite(session.paint(painting, {"method": "auto"}, stop=other)[0]).all()
+
+
+def test_a_session_that_is_forgotten_is_gone_also_where_live_painted_on_it(sessions, live):
+    obj = painted_grid()
+    obj.dirichlet.live = True
+    bpy.context.view_layer.update()
+    live.flush()
+    session = weakref.ref(sessions.open_session(obj))
+    for k in range(5):
+        sessions.open_session(painted_grid(name=f"Grid {k}"))
+    gc.collect()
+    assert session() is None
+
+
+def test_solving_many_objects_holds_no_more_solvers_than_fit(sessions, module, budget):
+    objects = [painted_grid(60, 60, name=f"Grid {k}") for k in range(3)]
+    for obj in objects:
+        obj.dirichlet.method = "direct"
+    budget(4)  # 3 MB are expected of each
+    held = []
+
+    def count_solvers(done):
+        held.append(sum(isinstance(one, sessions.Session) and bool(one._solver) for one in gc.get_objects()))
+
+    module("work").run(module("several").solve_fields(objects), count_solvers)
+    assert len(held) == 6
+    assert max(held) == 1
+
+
+@pytest.mark.parametrize(("laplacian", "kept"), [("graph", True), ("polygon", False)])
+def test_room_is_made_for_polygons_that_couple_all_their_corners(sessions, module, budget, laplacian, kept):
+    one = painted_grid(60, 60)
+    sessions.open_session(one)
+    circle = [(np.cos(angle), np.sin(angle)) for angle in np.linspace(0, 2 * np.pi, 60, endpoint=False)]
+    discs = add(
+        [(x, y, k) for k in range(50) for x, y in circle], [range(60 * k, 60 * k + 60) for k in range(50)], name="Discs"
+    )
+    paint(discs, "one", range(60), 1.0)
+    discs.dirichlet.method, discs.dirichlet.laplacian = "direct", laplacian
+    budget(5)  # for the graph 2.4 MB are expected, for the polygons 36
+    module("field_task").read(discs)
+    assert (one.data.as_pointer() in sessions._sessions) is kept

@@ -90,3 +90,10 @@ def test_what_is_made_is_the_same_in_german(in_german):
     assert bpy.ops.dirichlet.solve_field() == {"FINISHED"}
     assert bpy.ops.dirichlet.make_isolines() == {"FINISHED"}
     assert "dirichlet_field" in bpy.context.active_object.data.attributes
+
+
+def test_a_refusal_of_several_names_the_object_once_in_german_too(module, surface, in_german):
+    objects = [painted_grid(name=name) for name in ("One", "Other")]
+    objects[1].dirichlet.patches[0].group = "nobody"
+    with pytest.raises(surface.InputError, match=r"^Objekt 'Other' hat keine"):
+        module("work").run(module("several").solve_fields(objects))

@@ -34,4 +34,16 @@ def segments(lines, colors: NDArray[np.float32]) -> Segments:
 def is_drawn_by(result: bpy.types.Object, lines) -> bool:
     """Whether the result has tubes along just these lines: then lines drawn over them are seen twice."""
     tubes = result.type == curve.TYPE and result.data.bevel_depth > 0
-    return tubes and np.array_equal(result.data.get(LENGTH, ()), lines.length)
+    return tubes and np.array_equal(result.data.get(LENGTH, ()), lines.length) and _begin_alike(result.data, lines)
+
+
+def _begin_alike(drawn: bpy.types.Curve, lines) -> bool:
+    """Whether first and last line begin where they are drawn: of a mesh that was moved, all lengths are the same."""
+    if not drawn.splines:
+        return True
+    ends = (0, lines.offsets[:2]), (-1, lines.offsets[-2:])
+    return all(_passes(lines.points[slice(*places)], drawn.splines[k].points[0].co[:3]) for k, places in ends)
+
+
+def _passes(points: NDArray[np.float64], place: tuple[float, ...]) -> bool:
+    return bool((points.astype(np.float32) == np.array(place, np.float32)).all(axis=1).any())

@@ -84,6 +84,20 @@ class Session:
     def is_busy(self) -> bool:
         return self._lock.locked()
 
+    def forget_solver(self) -> bool:
+        """Frees the largest thing there is, whoever still holds the session; False while somebody paints."""
+        if not self._lock.acquire(blocking=False):
+            return False
+        try:
+            self._drop_solver()
+        finally:
+            self._lock.release()
+        return True
+
+    def _drop_solver(self) -> None:
+        self._solver = self._made_of = None
+        self.solver_bytes = 0
+
     @property
     def bytes(self) -> float:
         """That it takes, about, by what the library tells of its factor."""
@@ -101,8 +115,7 @@ class Session:
     def _paint(self, painting: Any, options: dict[str, Any], surface: Any) -> tuple[NDArray[np.float64], Any]:
         made_of = options, None if sees_no_positions(options) else surface
         if self._made_of != made_of:
-            self._solver = self._made_of = None  # first: a factor is the largest thing there is
-            self.solver_bytes = 0
+            self._drop_solver()  # first: a factor is the largest thing there is
             self._solver = library.load().HarmonicSolver(surface, **options, cancel=self._token)
             self._made_of = made_of
         values = self._solver.paint(painting.vertices, painting.values)
@@ -152,7 +165,7 @@ def make_room(session: Session, expected: float = 0.0) -> None:
     for key, one in list(others.items()):
         if len(others) < _MOST and sum(o.bytes for o in others.values()) + max(session.bytes, expected) <= room:
             break
-        if not one.is_busy():
+        if one.forget_solver():
             del _sessions[key], others[key]  # not stopped: what it is about to compute may still be waited for
 
 

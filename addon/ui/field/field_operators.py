@@ -40,10 +40,7 @@ class DIRICHLET_OT_solve_field(Computing, bpy.types.Operator):
 
     def expected_bytes(self, objects):
         budget = preferences.memory_budget()
-        return sum(
-            expected_memory.of_field(len(obj.data.vertices), obj.dirichlet.method, budget, _coupled(obj))
-            for obj in objects
-        )
+        return sum(expected_memory.of_object(obj, budget) for obj in objects)
 
     def is_slow(self, objects):
         return any(obj.dirichlet.method == "lscg" for obj in objects)
@@ -115,12 +112,6 @@ class DIRICHLET_OT_restore_materials(bpy.types.Operator):
     def execute(self, context):
         material.restore(context.active_object)
         return {"FINISHED"}
-
-
-def _coupled(obj: bpy.types.Object) -> float:
-    """Corners of an average face, where the object's Laplacian may couple all of them."""
-    mesh = obj.data
-    return len(mesh.loops) / max(len(mesh.polygons), 1) if obj.dirichlet.laplacian in ("polygon", "auto") else 3.0
 
 
 def _is_painted(obj: bpy.types.Object) -> bool:
