@@ -101,6 +101,12 @@ void require_area(const Mesh& mesh, const FlatFaces& flat) {
         message("none of the ", flat.count, " faces has an area, so only the graph Laplacian can be taken"));
 }
 
+/// Of a face of mesh.without_repeats(), its number in the mesh itself.
+Index number_with_repeats(const Mesh& mesh, Index face) {
+  for (const auto& [repeat, first] : mesh.repeated_faces()) face += repeat <= face ? 1 : 0; // ascending
+  return face;
+}
+
 } // namespace
 
 Stiffness make_stiffness(const Mesh& whole, Laplacian laplacian) {
@@ -119,6 +125,7 @@ Stiffness make_stiffness(const Mesh& whole, Laplacian laplacian) {
     require_area(mesh, cotangents.flat);
     make_of_triangles(mesh, laplacian, cotangents, result);
   }
+  if (result.flat_faces > 0) result.first_flat = number_with_repeats(whole, result.first_flat);
   return result;
 }
 
