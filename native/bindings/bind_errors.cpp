@@ -2,6 +2,7 @@
 #include <exception>
 #include <new>
 #include <string_view>
+#include <utility>
 
 #include "bindings.h"
 #include "dirichlet/error.h"
@@ -19,7 +20,7 @@ py::object bind(py::module_& module, const char* name, const py::handle& base, c
   type.attr("__doc__") = doc;
   py::register_exception_translator([](std::exception_ptr pointer) {
     try {
-      if (pointer) std::rethrow_exception(pointer);
+      if (pointer) std::rethrow_exception(std::move(pointer));
     } catch (const Error& error) { // a file's name may be no text
       const std::string_view what = error.what();
       const auto text = py::reinterpret_steal<py::object>(
@@ -44,7 +45,7 @@ void bind_errors(py::module_& module) {
   bind<CancelledError>(module, "CancelledError", solver, "Somebody asked for the work to stop.");
   py::register_exception_translator([](std::exception_ptr error) { // the last one is asked first, and hands on
     try {
-      if (error) std::rethrow_exception(error);
+      if (error) std::rethrow_exception(std::move(error));
     } catch (const std::bad_alloc&) {
       throw DirichletError("there is not enough memory for this");
     }

@@ -99,7 +99,8 @@ py::tuple csr(const Make& make_matrix) {
   std::unique_ptr<SparseMatrix> owner;
   {
     const py::gil_scoped_release release;
-    owner.reset(new SparseMatrix(make_matrix())); // in place: Eigen 3.4 copies what is moved
+    // In place, as make_unique is not: Eigen 3.4 copies what is moved.
+    owner.reset(new SparseMatrix(make_matrix())); // NOLINT(modernize-make-unique)
   }
   const SparseMatrix& K = *owner;
   const py::capsule capsule(owner.release(), [](void* pointer) { delete static_cast<SparseMatrix*>(pointer); });

@@ -30,8 +30,8 @@ class IterativeSolver : public Solver {
 
  protected:
   IterativeSolver(SparseMatrix&& K, Method method, double analysis_seconds)
-      : order_(at(static_cast<Index>(K.rows()))), statistics_{method, K.nonZeros(), /*factor_nonzeros=*/0, /*factor_bytes=*/0,
-                                                              analysis_seconds} {
+      : order_(at(static_cast<Index>(K.rows()))), statistics_{method, K.nonZeros(), /*factor_nonzeros=*/0,
+                                                              /*factor_bytes=*/0, analysis_seconds} {
     K_.swap(K); // Eigen 3.4 copies what is moved
     std::iota(order_.begin(), order_.end(), Index{0});
   }
