@@ -123,4 +123,5 @@ def write(obj: bpy.types.Object, outcome: FieldOutcome, *, cover: bool = True) -
     seconds = task.clock.laps | field.report.seconds
     result = FieldResult(field, task.session.mesh, task.painting, warnings, seconds, task.fingerprint())
     results.record_field(obj.dirichlet.results, result)
+    freshness.tell_others(obj)
     return result

@@ -22,11 +22,20 @@ def fingerprint(laplacian: str, surface: Any, painted: Any) -> str:
     return " ".join(map(str, (laplacian, *sizes, crc32(painted.vertices), crc32(painted.values), *seen)))
 
 
+def tell_others(obj: bpy.types.Object) -> None:
+    """The field just written is also that of the objects that share the mesh, whatever they solved for."""
+    solved_for = obj.dirichlet.results.fingerprint
+    if obj.data.users > 1:
+        for other in bpy.data.objects:
+            if other.data == obj.data and other.dirichlet.results.fingerprint not in ("", solved_for):
+                other.dirichlet.results.fingerprint = solved_for
+
+
 def doubt(obj: bpy.types.Object) -> str:
     """A sentence when the field last solved for is not that of the patches and the shape; else nothing. Costs reading
     them."""
     solved_for = obj.dirichlet.results.fingerprint
-    if not solved_for:  # by another object on the same mesh
+    if not solved_for:  # it never was: another object on the same mesh was
         return ""
     try:
         surface = surfaces.read(obj, sessions.open_session(obj))

@@ -6,7 +6,6 @@ Plain functions for operators, scripts and tests. They raise the library's Diric
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 import bpy
@@ -49,8 +48,8 @@ def write_isolines(
     obj: bpy.types.Object, outcome: line_task.LineOutcome, result: bpy.types.Object | None
 ) -> IsolineResult:
     """Writes lines that are computed, as line_task.write does, and warns of a field that is older than its patches."""
-    made, doubt = line_task.write(obj, outcome, result), freshness.doubt(obj)
-    return replace(made, warnings=(doubt, *made.warnings)) if doubt else made
+    doubt = freshness.doubt(obj)
+    return line_task.write(obj, outcome, result, (doubt,) if doubt else ())
 
 
 def update_colors(obj: bpy.types.Object) -> None:

@@ -273,6 +273,7 @@ def test_lines_of_a_field_older_than_its_patches_say_so(capfd, operator, change,
     said = capfd.readouterr().out
     assert "the field of 'Grid' is older than its patches" in said
     assert reason in said
+    assert reason in obj.dirichlet.results.isoline_warnings  # which the panel shows
 
 
 def test_numbers_are_said_as_people_write_them(capfd):

@@ -129,6 +129,21 @@ def test_a_shared_mesh_is_solved_once_with_the_active_ones_patches(capfd):
     assert (field_of(first).min(), field_of(first).max()) == (0, 1)
 
 
+def test_lines_of_a_field_that_another_object_solved_on_the_same_mesh_say_so(capfd):
+    first = painted_grid()
+    bpy.ops.dirichlet.solve_field()
+    second = link(first.data, "Another")
+    paint(second, "left", [], 5.0)
+    paint(second, "right", [], 7.0)
+    first.select_set(False)
+    bpy.ops.dirichlet.solve_field()
+    second.select_set(False)
+    first.select_set(True)
+    bpy.context.view_layer.objects.active = first
+    said = reports(capfd, bpy.ops.dirichlet.make_isolines)
+    assert any("the field of 'Grid' is older than its patches" in line for line in said)
+
+
 def test_objects_that_share_a_mesh_are_drawn_each_by_its_settings():
     first = painted_grid()
     second = link(first.data, "Another")

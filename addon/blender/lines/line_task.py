@@ -157,15 +157,17 @@ def _no_lines() -> str:
     return say("there are no isolines: no level lies between values that meet, or all lines are below Shortest")
 
 
-def write(obj: bpy.types.Object, outcome: LineOutcome, result: bpy.types.Object | None) -> IsolineResult:
+def write(
+    obj: bpy.types.Object, outcome: LineOutcome, result: bpy.types.Object | None, doubts: tuple[str, ...] = ()
+) -> IsolineResult:
     """Puts the lines into the result, or into a new one bound to the object. Records `obj.dirichlet.results` when it is
-    the bound one."""
+    the bound one. doubts: about the field, to be told first."""
     task, lines = outcome.task, outcome.lines
     task.clock.restart()
     drawn = result_drawing.write(obj, result, lines, outcome.colors, outcome.factors)
     task.clock.lap("write")
     seconds = task.clock.laps | {"connectivity": task.mesh.build_seconds}
-    warnings = (*task.warnings, *lines.warnings, *(() if len(lines) else (_no_lines(),)))
+    warnings = (*doubts, *task.warnings, *lines.warnings, *(() if len(lines) else (_no_lines(),)))
     made = IsolineResult(lines, drawn, warnings, seconds)
     if result_objects.find(obj) == drawn:
         results.record_isolines(obj.dirichlet.results, made)
