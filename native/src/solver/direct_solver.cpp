@@ -44,10 +44,9 @@ class DirectSolver final : public Solver {
   DirectSolver(const SparseMatrix& K, const Analysis& analysis, std::int64_t most_kept, const SolverOptions& options)
       : symbolic_(analysis.symbolic), matrix_(std::make_shared<const OrderedMatrix>(order_matrix(K, symbolic_->order))),
         factor_(symbolic_, matrix_, most_kept, options.cancel), tolerance_(options.tolerance.value_or(kTwinTolerance)),
-        max_iterations_(options.max_iterations.value_or(kMostTwinIterations)) {
-    statistics_ = {Method::direct, K.nonZeros(), symbolic_->factor_size(),
-                   Factor<Real>::bytes_needed(*symbolic_, K.nonZeros(), 0), analysis.seconds};
-  }
+        max_iterations_(options.max_iterations.value_or(kMostTwinIterations)),
+        statistics_{Method::direct, K.nonZeros(), symbolic_->factor_size(),
+                    Factor<Real>::bytes_needed(*symbolic_, K.nonZeros(), 0), analysis.seconds} {}
 
   [[nodiscard]] SparseView matrix() const override { return view(*matrix_); }
   [[nodiscard]] std::span<const Index> order() const override { return symbolic_->order; }
