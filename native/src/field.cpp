@@ -239,6 +239,12 @@ Field HarmonicSolver::compute(const Eigen::Ref<const Eigen::MatrixXd>& values, s
   report.relative_residual = relative_residual(solver_->matrix(), rows_->fixed(), rhs, x);
   if (!std::isfinite(report.relative_residual))
     throw SolverError("the solver returned a value that is not finite; another method may do better");
+  constexpr double kGood = 1e-8; // what a field of single precision does not see
+  if (report.relative_residual > kGood && report.method != Method::least_squares_cg)
+    report.warnings.push_back(message("the field holds to its equations only to a relative residual of ",
+                                      roughly(report.relative_residual),
+                                      ": weights differ too much in size, as where faces are very thin",
+                                      report.laplacian == Laplacian::graph ? "" : "; the graph Laplacian has no such"));
   rhs.resize(0, 0); // before the field takes its memory
   finish(values, exponents, x);
   std::optional<PaintedRanges> ranges;
@@ -262,7 +268,8 @@ void HarmonicSolver::report_outside(const Outside& outside, SolveReport& report)
   report.outside = outside.count;
   report.farthest_outside = outside.farthest;
   constexpr double kVisible = 1e-9; // of the painted range: what an iteration's tolerance may leave is not said
-  if (maximum_principle_ || outside.farthest <= kVisible * (report.painted_maximum - report.painted_minimum)) return;
+  if (maximum_principle_ || outside.farthest <= kVisible * report.painted_maximum - kVisible * report.painted_minimum)
+    return;
   report.warnings.push_back(message(outside.count, outside.count == 1 ? " value lies" : " values lie",
                                     " outside the painted range, by up to ", outside.farthest,
                                     "; with the intrinsic Delaunay Laplacian none would"));

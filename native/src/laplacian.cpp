@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <string>
 #include <utility>
 
 #include "cotangent_laplacian.h"
@@ -81,24 +83,49 @@ void choose_for_triangles(const Mesh& mesh, Stiffness& result) {
   result.reason = "some cotangent weights of these triangles are negative, and flipped edges mend that";
 }
 
+/// Whether blocks of k² entries would be most of the matrix, and its factor slow.
+bool has_large_polygons(const Mesh& mesh) {
+  constexpr std::int64_t kLarge = 64; // corners of a polygon, on the average over corners
+  std::int64_t squares = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const std::int64_t k = mesh.offsets()[at(f) + 1] - mesh.offsets()[at(f)];
+    squares += k * k;
+  }
+  return squares > kLarge * static_cast<std::int64_t>(mesh.corners().size());
+}
+
+/// What keeps the range of any painting: Delaunay triangles, or the graph where there are none.
+void choose_triangles_of_polygons(const Mesh& mesh, const char* reason, Stiffness& result) {
+  try {
+    const Cotangents cotangents = measure_cotangents(mesh);
+    if (cotangents.flat.count == mesh.face_count()) return choose_graph(mesh, result);
+    make_of_triangles(mesh, Laplacian::intrinsic_delaunay, cotangents, result);
+    result.reason = reason;
+  } catch (const TopologyError&) {
+    result = {};
+    make_graph(mesh, result);
+    result.reason = "a polygon crosses itself, so there are no triangles, and the graph Laplacian needs none";
+  }
+}
+
 void choose_for_polygons(const Mesh& mesh, Stiffness& result) {
+  if (has_large_polygons(mesh))
+    return choose_triangles_of_polygons(mesh, "polygons of so many corners fill the matrix, and triangles do not",
+                                        result);
   PolygonLaplacian polygons = polygon_laplacian(mesh);
   if (polygons.flat.count == mesh.face_count()) return choose_graph(mesh, result);
   make_polygon(polygons, result);
   result.reason = "the faces are polygons none of whose weights is negative";
-  if (result.maximum_principle) return;
-  try {
-    make_of_triangles(mesh, Laplacian::intrinsic_delaunay, measure_cotangents(mesh), result);
-    result.reason = "some weights of these polygons are negative, and those of triangles with flipped edges are not";
-  } catch (const TopologyError&) {
-    result.reason = "a polygon crosses itself, so there are no triangles whose edges could be flipped";
-  }
+  if (!result.maximum_principle)
+    choose_triangles_of_polygons(
+        mesh, "some weights of these polygons are negative, and those of triangles with flipped edges are not", result);
 }
 
 void require_area(const Mesh& mesh, const FlatFaces& flat) {
   if (flat.count == mesh.face_count())
-    throw InputError(
-        message("none of the ", flat.count, " faces has an area, so only the graph Laplacian can be taken"));
+    throw InputError(message(flat.count == 1 ? std::string("face 0, the only one, has no area")
+                                             : message("none of the ", flat.count, " faces has an area"),
+                             ", so only the graph Laplacian can be taken"));
 }
 
 /// Of a face of mesh.without_repeats(), its number in the mesh itself.

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -29,6 +30,7 @@ inline std::string exactly(double value) {
 template <class... Parts>
 std::string message(const Parts&... parts) {
   std::ostringstream out;
+  out.imbue(std::locale::classic()); // no grouping of digits, whatever the host has set
   const auto write = [&out](const auto& part) {
     if constexpr (std::is_floating_point_v<std::decay_t<decltype(part)>>) {
       std::array<char, 32> digits{};
@@ -49,6 +51,7 @@ std::string message(const Parts&... parts) {
 /// For what matters by its size alone, such as a residual: two digits.
 inline std::string roughly(double value) {
   std::ostringstream out;
+  out.imbue(std::locale::classic());
   out.precision(2);
   out << value;
   return out.str();

@@ -21,10 +21,10 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Place = Eigen::Index; ///< of a corner in its polygon
 
-/// Some x with A x = b for a positive semi-definite A, 0 in directions that do not stand out of rounding.
-Vector3d solve_as_far_as_known(const Matrix3d& A, const Vector3d& b) {
+/// Some x with A x = b for a positive semi-definite A, 0 in directions where it is not above the share `least`.
+Vector3d solve_as_far_as_known(const Matrix3d& A, const Vector3d& b, double least) {
   Eigen::FullPivLU<Matrix3d> lu;
-  lu.setThreshold(16 * std::numeric_limits<double>::epsilon());
+  lu.setThreshold(least);
   return lu.compute(A).solve(b);
 }
 
@@ -97,8 +97,10 @@ class PolygonElement {
       A += e.squaredNorm() * Matrix3d::Identity() - e * e.transpose();
       b += e.squaredNorm() * p - e.dot(p) * e;
     }
-    const Vector3d least_areas = solve_as_far_as_known(A, b);
-    const Vector3d slope = solve_as_far_as_known(points_ * points_.transpose(), least_areas);
+    constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+    constexpr double kThin = 1e-10; // the square of a thickness that coordinates in float32 have by rounding alone
+    const Vector3d least_areas = solve_as_far_as_known(A, b, kRounding);
+    const Vector3d slope = solve_as_far_as_known(points_ * points_.transpose(), least_areas, kThin);
     weights_ = points_.transpose() * slope; // they sum to 0, and with 1/k to 1
     weights_.array() += 1 / static_cast<double>(size_);
     virtual_ = points_ * weights_;
@@ -131,11 +133,12 @@ class PolygonElement {
     const auto shares = [&](const Eigen::VectorXd& areas, const Eigen::VectorXd& weights) {
       mass_.resize(size_);
       for (Place i = 0; i < size_; ++i)
-        mass_[i] = (areas[i] + areas[i == 0 ? size_ - 1 : i - 1] + weights[i] * area) / 3;
+        mass_[i] = (areas[i] + areas[i == 0 ? size_ - 1 : i - 1] + weights[i] * areas.sum()) / 3;
     };
     shares(areas_, weights_);
-    if (mass_.minCoeff() < 0) {
-      const Eigen::VectorXd sizes = areas_.cwiseAbs() * (area / areas_.cwiseAbs().sum());
+    if (mass_.minCoeff() < 0) { // a folded polygon may have more behind than in front
+      const double least = std::max(area, normal_.norm() / 2);
+      const Eigen::VectorXd sizes = areas_.cwiseAbs() * (least / areas_.cwiseAbs().sum());
       shares(sizes, Eigen::VectorXd::Constant(sizes.size(), 1 / static_cast<double>(size_)));
     }
     mass_ = mass_ / scale_ / scale_;

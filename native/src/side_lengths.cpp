@@ -39,8 +39,8 @@ double extent(const Mesh& mesh) {
   const auto start = 3 * at(corners[0]);
   std::array<double, 3> low{p[start], p[start + 1], p[start + 2]}, high = low;
   std::mutex mutex;
-  parallel_chunks(corners.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    std::array<double, 3> lowest{low}, highest{lowest};
+  parallel_chunks(corners.size(), kGrain, [&, first = low](std::size_t begin, std::size_t end) {
+    std::array<double, 3> lowest{first}, highest{first};
     for (std::size_t c = begin; c < end; ++c)
       for (std::size_t k = 0; k < 3; ++k) {
         const double x = p[3 * at(corners[c]) + k];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <locale>
 
 #include "mesh_file.h"
 #include "mesh_makers.h"
@@ -22,6 +23,25 @@ TEST_F(MeshFile, files_that_are_no_mesh_are_refused_by_name) {
   EXPECT_REFUSED(read("a.obj", kTriangle + "l 1 2\n"), InputError, "a.obj has no faces");
   EXPECT_REFUSED(read("a.off", "OFF\n1 0 0\n0 0 0\n"), InputError, "a.off has no faces");
   EXPECT_REFUSED(read("a.stl", "solid a\nendsolid a\n"), InputError, "a.stl has no faces");
+}
+
+/// As of a host that writes 1.234 for a thousand and more.
+struct Grouping : std::numpunct<char> {
+  [[nodiscard]] char do_thousands_sep() const override { return '.'; }
+  [[nodiscard]] std::string do_grouping() const override { return "\3"; }
+};
+
+TEST_F(MeshFile, are_read_and_refused_alike_whatever_the_locale_of_the_host) {
+  const auto soup = makers::grid(40, 40, false);
+  const auto mesh = makers::make_mesh(soup);
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Grouping));
+  for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
+    write_mesh_file(folder_ / name, mesh->positions(), mesh->offsets(), mesh->corners());
+    const MeshArrays read = read_mesh_file(folder_ / name);
+    EXPECT_EQ(read.offsets.size(), name == std::string("a.stl") ? 3201U : 1601U) << name;
+  }
+  EXPECT_REFUSED(read("b.obj", kTriangle + "f 1 2 12345\n"), InputError, "12345");
+  std::locale::global(before);
 }
 
 TEST_F(MeshFile, non_manifold_faces_arrive_whole) {

@@ -168,6 +168,11 @@ def test_the_others_keep_it(laplacian):
     assert field.report.warnings == ()
 
 
+def regular_polygon(corners: int) -> Soup:
+    angle = 2 * np.pi * np.arange(corners) / corners
+    return Soup(np.column_stack((np.cos(angle), np.sin(angle), 0 * angle)), [list(range(corners))])
+
+
 LONG = Soup(grid(5, 4, triangles=False).positions * [9, 1, 1], grid(5, 4, triangles=False).faces)
 
 CHOICES = {
@@ -175,9 +180,20 @@ CHOICES = {
     "obtuse triangles": (obtuse_strip(5), "intrinsic_delaunay", "some cotangent weights of these triangles are"),
     "squares": (grid(5, 4, triangles=False), "polygon", "the faces are polygons none of whose weights is negative"),
     "long quads": (LONG, "intrinsic_delaunay", "some weights of these polygons are negative"),
-    "a polygon that crosses itself": (joined(LONG, pentagram()), "polygon", "a polygon crosses itself"),
+    "a polygon that crosses itself": (joined(LONG, pentagram()), "graph", "a polygon crosses itself"),
+    "a polygon of very many corners": (regular_polygon(300), "intrinsic_delaunay", "polygons of so many corners"),
     "a line": (Soup(grid(5, 1).positions * [1, 0, 0], grid(5, 1).faces), "graph", "no face has an area"),
 }
+
+
+def test_a_field_that_rounding_keeps_from_its_equations_says_so():
+    thin = grid(40, 40)
+    thin = Soup(thin.positions * [1, 1e-7, 1], thin.faces)
+    x = thin.positions[:, 0]
+    ends = np.flatnonzero((x == x.min()) | (x == x.max()))
+    field = solve(thin.mesh(), ends, x[ends] / x.max(), laplacian="cotangent")
+    assert field.report.relative_residual > 1e-8
+    assert "the field holds to its equations only to a relative residual of" in " ".join(field.report.warnings)
 
 
 @pytest.mark.parametrize(("soup", "taken", "reason"), CHOICES.values(), ids=CHOICES.keys())

@@ -139,6 +139,15 @@ def test_what_rounding_adds_to_a_slanted_plane_moves_no_virtual_vertex():
     moved = Soup(soup.positions + np.array([1e6, -3e6, 2e6]), soup.faces)
     K = stiffness(soup, "polygon")
     assert abs(stiffness(moved, "polygon") - K).max() <= 1e-6 * energy_scale(K)
+    single = Soup(soup.positions.astype(np.float32).astype(float), soup.faces)  # as a host may store it
+    assert abs(stiffness(single, "polygon") - K).max() <= 1e-5 * energy_scale(K)
+
+
+def test_a_folded_polygon_has_no_negative_mass():
+    random = np.random.default_rng(7)
+    for _ in range(500):
+        hexagon = Soup(random.normal(size=(6, 3)), [list(range(6))])
+        assert (mass(hexagon, "polygon") >= 0).all()
 
 
 @everywhere

@@ -15,7 +15,7 @@ LAPLACIANS = {
     "cotangent": "follows the shape: for good triangles; obtuse ones may push values out of the painted range",
     "intrinsic_delaunay": "follows the shape and keeps the painted range on any mesh, slivers too",
     "polygon": "follows the shape of quads and n-gons and prefers no diagonal; the range as for cotangent",
-    "auto": "cotangent or polygon where they keep the painted range, else intrinsic_delaunay; the report says why",
+    "auto": "cotangent or polygon where they keep the painted range, else what does; the report says why",
 }
 """By name, when to take it."""
 

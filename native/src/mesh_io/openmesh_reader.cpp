@@ -8,6 +8,7 @@
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
 
 #include <limits>
+#include <locale>
 #include <sstream>
 
 #include "openmesh_session.h"
@@ -89,6 +90,7 @@ MeshArrays read_with_openmesh(std::string_view file_name, const std::string& end
 
   ArrayImporter importer(arrays);
   std::istringstream stream(std::move(checked.stream), std::ios::in | std::ios::binary);
+  stream.imbue(std::locale::classic());
   IO::Options options;
   if (checked.binary) options += IO::Options::Binary;
   const OpenMeshSession session;
