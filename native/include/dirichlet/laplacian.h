@@ -49,9 +49,8 @@ struct Stiffness {
 /// polygon: every polygon of k > 3 corners becomes k triangles around a virtual vertex, which is then expressed by the
 ///   corners: a block of k² entries. Source: Bunge, Herholz, Kazhdan, Botsch: "Polygon Laplacian Made Simple" (2020).
 ///   Reproduces linear functions of the plane where the virtual vertex sees every side, in convex polygons always.
-/// automatic: the cotangent or, if there are polygons and not of very many corners, the polygon Laplacian where it has
-/// a
-///   maximum principle; else intrinsic_delaunay; the graph where no face has an area or one has no triangulation.
+/// automatic: the cotangent or, for polygons of few corners, the polygon Laplacian where it has a maximum principle;
+///   else intrinsic_delaunay; the graph where no face has an area or one has no triangulation.
 ///
 /// Coordinates may have any scale and offset. A triangle without height, or of a height below 1.5e-8 of its longest
 /// edge, counts as one of that height: a weight beyond its inverse would drown its neighbours in rounding.
