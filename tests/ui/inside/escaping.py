@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A mesh of four million vertices: whatever takes long shows how far it is, Esc ends it, and nothing has changed."""
+"""A mesh of four million vertices: whatever takes long shows how far it is, Esc ends it, and nothing has changed:
+
+    python3 tests/ui/window.py escaping
+
+Not among the tests that run by themselves: on a quick machine some of it is done before a picture is taken and Esc
+pressed. What Esc does to each of these works is tested without a window, in tests/blender/test_cancelling.py.
+"""
 
 import bpy
 import dirichlet_isolines

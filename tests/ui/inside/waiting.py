@@ -48,7 +48,7 @@ def a_solver_that_was_dropped_holds_nobody_up() -> Waiting:
     bpy.ops.ed.undo_push(message="method")
     assert invoke("solve_field") == {"RUNNING_MODAL"}
     yield from until(is_solved)
-    assert invoke("make_isolines") == {"RUNNING_MODAL"}
+    assert invoke("make_isolines") in ({"RUNNING_MODAL"}, {"FINISHED"})  # as quick as the machine is
     yield from until(lambda: ball().dirichlet.results.extracted)
 
 
@@ -63,7 +63,7 @@ def undo_goes_back_one_computation_at_a_time() -> Waiting:
 
 
 def removing_the_object_meanwhile_is_survived() -> Waiting:
-    assert invoke("solve_field") == {"RUNNING_MODAL"}
+    assert invoke("solve_field") in ({"RUNNING_MODAL"}, {"FINISHED"})
     ball().name = "gone"
     bpy.data.objects.remove(bpy.data.objects["gone"])
     yield 3
