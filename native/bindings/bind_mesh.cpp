@@ -37,7 +37,7 @@ py::dict defects(const Mesh& mesh) {
     found = find_defects(mesh);
   }
   return py::dict("repeated_faces"_a = found.repeated_faces, "flat_faces"_a = found.flat_faces,
-                  "coincident_vertices"_a = found.coincident_vertices,
+                  "crossing_faces"_a = found.crossing_faces, "coincident_vertices"_a = found.coincident_vertices,
                   "warnings"_a = py::tuple(py::cast(found.warnings())));
 }
 
@@ -57,10 +57,16 @@ void bind_mesh(py::module_& module) {
     const py::gil_scoped_release release;
     return std::make_unique<Mesh>(std::move(shared), starts, vertices);
   };
+  const auto moved = [](const Mesh& faces, const Array<double>& positions) {
+    SharedArray<double> shared = share(positions);
+    const py::gil_scoped_release release;
+    return std::make_unique<Mesh>(faces, std::move(shared));
+  };
   py::class_<Mesh>(module, "Mesh")
       .def(py::init(uniform), py::arg("positions").noconvert(), py::arg("faces").noconvert())
       .def(py::init(polygons), py::arg("positions").noconvert(), py::arg("offsets").noconvert(),
            py::arg("corners").noconvert())
+      .def(py::init(moved), py::arg("faces"), py::arg("positions").noconvert())
       .def_property_readonly("vertex_count", &Mesh::vertex_count)
       .def_property_readonly("face_count", &Mesh::face_count)
       .def_property_readonly("edge_count", &Mesh::edge_count)

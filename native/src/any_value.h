@@ -7,7 +7,7 @@ namespace dirichlet {
 template <class Values, class Predicate>
 bool any_value(const Values& values, Predicate predicate) {
   int found = 0;
-  for (const auto value : values) found |= static_cast<int>(predicate(value)); // NOLINT(hicpp-signed-bitwise)
+  for (const auto value : values) found |= static_cast<int>(predicate(value));
   return found != 0;
 }
 

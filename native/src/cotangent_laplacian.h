@@ -5,15 +5,13 @@
 #include <vector>
 
 #include "dirichlet/laplacian.h"
-#include "flat_faces.h"
 
 namespace dirichlet {
 
-/// Measures of the triangles of mesh.triangulated(), which the intrinsic Delaunay Laplacian keeps.
+/// Measures of the triangles of mesh.triangulated().without_repeats(), which the intrinsic Delaunay Laplacian keeps.
 struct Cotangents {
   Buffer<double> weights;   ///< (C,) half the cotangent of the angle opposite to every half-edge
   std::vector<double> mass; ///< (V,) a third of the areas around
-  FlatFaces flat;           ///< faces of `mesh` all of whose triangles are flat
 };
 
 /// Cost: O(V + C), on all cores. \throws TopologyError  a polygon without a triangulation

@@ -3,59 +3,16 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
+#include <cstdint>
+#include <span>
 
+#include "dirichlet/triangulation.h"
 #include "index.h"
 #include "message.h"
-#include "parallel_collect.h"
-#include "vector3.h"
+#include "union_find.h"
 
 namespace dirichlet {
 namespace {
-
-/// Twice the area vector of a polygon, relative to its first corner, which keeps what is small beside an offset.
-Vector3 area_vector(std::span<const double> positions, std::span<const Index> face, double scale) {
-  const auto point = [&](Index v) {
-    const double* p = positions.data() + 3 * at(v);
-    return Vector3{p[0], p[1], p[2]};
-  };
-  const Vector3 origin = point(face[0]);
-  Vector3 sum, last = scale * (point(face[1]) - origin);
-  for (const Index v : face.subspan(2)) {
-    const Vector3 next = scale * (point(v) - origin);
-    sum = sum + cross(last, next);
-    last = next;
-  }
-  return sum;
-}
-
-bool is_zero(const Vector3& a) {
-  return a.x == 0 && a.y == 0 && a.z == 0;
-}
-
-/// Whether a face has no area; products that vanish for being small are made anew in a scale where they do not.
-bool is_flat(std::span<const double> positions, std::span<const Index> face) {
-  if (!is_zero(area_vector(positions, face, 1))) return false;
-  double size = 0;
-  for (const Index v : face)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      size = std::max(size, std::abs(positions[3 * at(v) + axis] - positions[3 * at(face[0]) + axis]));
-  return is_zero(area_vector(positions, face, unit_scale(size)));
-}
-
-void find_flat_faces(const Mesh& mesh, Defects& defects) {
-  constexpr std::size_t kGrain = 1 << 14;
-  const auto flat = parallel_collect<Index>(
-      at(mesh.face_count()), kGrain, [&](std::size_t begin, std::size_t end, Buffer<Index>& found) {
-        for (std::size_t f = begin; f < end; ++f) {
-          const auto first = at(mesh.offsets()[f]), last = at(mesh.offsets()[f + 1]);
-          if (is_flat(mesh.positions(), mesh.corners().subspan(first, last - first)))
-            found.push_back(static_cast<Index>(f));
-        }
-      });
-  defects.flat_faces = static_cast<Index>(flat.size());
-  if (!flat.empty()) defects.first_flat = flat.front();
-}
 
 /// The ends of border edges, ascending.
 std::vector<Index> border_vertices(const Mesh& mesh) {
@@ -105,12 +62,31 @@ class Places {
   std::vector<Index> slots_;
 };
 
+/// Those that edges without length join are one vertex here: there is no gap between them.
+UnionFind joined_vertices(const Mesh& mesh) {
+  UnionFind sets(mesh.vertex_count());
+  const auto& edges = mesh.connectivity().edges;
+  const double* const positions = mesh.positions().data();
+  for (std::size_t e = 0; e < edges.size(); e += 2) {
+    const double *one = positions + 3 * at(edges[e]), *other = positions + 3 * at(edges[e + 1]);
+    if (std::equal(one, one + 3, other)) sets.unite(edges[e], edges[e + 1]);
+  }
+  return sets;
+}
+
 void find_coincident_vertices(const Mesh& mesh, Defects& defects) {
   const std::vector<Index> vertices = border_vertices(mesh);
   Places places(mesh.positions(), vertices.size());
+  std::vector<std::array<Index, 2>> pairs;
   for (const Index v : vertices)
-    if (const Index first = places.put(v); first != v && defects.coincident_vertices++ == 0)
-      defects.first_coincident = {first, v};
+    if (const Index first = places.put(v); first != v) pairs.push_back({first, v});
+  if (pairs.empty()) return;
+  UnionFind joined = joined_vertices(mesh);
+  for (const auto& [first, v] : pairs) {
+    if (joined.find(first) == joined.find(v)) continue;
+    joined.unite(first, v); // others joined to this one count no more
+    if (defects.coincident_vertices++ == 0) defects.first_coincident = {first, v};
+  }
 }
 
 } // namespace
@@ -121,6 +97,9 @@ std::vector<std::string> Defects::warnings() const {
     texts.push_back(message("face ", first_repeat[0], " repeats face ", first_repeat[1],
                             and_more(repeated_faces - 1, "repeated face"), ", and counts once"));
   if (flat_faces > 0) texts.push_back(message("face ", first_flat, " has no area", and_more(flat_faces - 1, "face")));
+  if (crossing_faces > 0)
+    texts.push_back(message("face ", first_crossing, " crosses itself", and_more(crossing_faces - 1, "face"),
+                            ", so its triangles lie on each other"));
   if (coincident_vertices > 0)
     texts.push_back(
         message(coincident_vertices, coincident_vertices == 1 ? " pair" : " pairs",
@@ -134,7 +113,14 @@ Defects find_defects(const Mesh& mesh) {
   const auto repeats = mesh.repeated_faces();
   defects.repeated_faces = static_cast<Index>(repeats.size());
   if (!repeats.empty()) defects.first_repeat = repeats.front();
-  find_flat_faces(mesh, defects);
+  const auto flat = mesh.flat_faces();
+  defects.flat_faces = static_cast<Index>(flat.size());
+  if (!flat.empty()) defects.first_flat = flat.front();
+  if (!mesh.is_triangular()) {
+    const auto crossing = mesh.each_once(find_crossing_faces(mesh.positions(), mesh.offsets(), mesh.corners()));
+    defects.crossing_faces = static_cast<Index>(crossing.size());
+    if (!crossing.empty()) defects.first_crossing = crossing.front();
+  }
   find_coincident_vertices(mesh, defects);
   return defects;
 }

@@ -40,18 +40,31 @@ void EarClipper::start(std::span<const Point2> polygon) {
   turn_.assign(left_, 0);
   touched_.assign(left_, 0);
   hollow_.clear();
+  forgotten_ = 0;
   waiting_.clear();
+  const auto extent = [&](auto part) {
+    const auto [low, high] = std::minmax_element(polygon.begin(), polygon.end(),
+                                                 [&](const Point2& a, const Point2& b) { return a.*part < b.*part; });
+    return (*high).*part - (*low).*part;
+  };
+  along_x_ = extent(&Point2::x) >= extent(&Point2::y);
   for (Index i = 0; i < size; ++i) {
     previous_[at(i)] = (i + size - 1) % size;
     next_[at(i)] = (i + 1) % size;
   }
-  for (Index i = 0; i < size; ++i) update(i);
+  for (Index i = 0; i < size; ++i) {
+    turn_[at(i)] = side(previous_[at(i)], i, next_[at(i)]);
+    if (turn_[at(i)] <= 0) hollow_.push_back(i);
+    waiting_.push_back(i);
+  }
+  std::ranges::sort(hollow_, {}, [&](Index corner) { return std::pair(key(corner), corner); });
 }
 
 /// One round over the corners waiting. Neighbours of a cut wait for the next one, so that a convex polygon is cut at
 /// every other corner, and not into a fan of slivers.
 void EarClipper::cut_ears(std::vector<Index>& triangles) {
   ++round_;
+  if (2 * forgotten_ > hollow_.size()) forget_hollow();
   std::swap(waiting_, now_);
   waiting_.clear();
   for (const Index corner : now_)
@@ -62,6 +75,7 @@ void EarClipper::cut_ears(std::vector<Index>& triangles) {
 void EarClipper::remove(Index corner, std::vector<Index>& triangles) {
   const Index before = previous_[at(corner)], after = next_[at(corner)];
   triangles.insert(triangles.end(), {before, corner, after});
+  forgotten_ += turn_[at(corner)] <= 0 ? 1 : 0;
   turn_[at(corner)] = kRemoved;
   --left_;
   next_[at(before)] = after;
@@ -72,26 +86,40 @@ void EarClipper::remove(Index corner, std::vector<Index>& triangles) {
 
 /// After a change of its neighbours.
 void EarClipper::update(Index corner) {
+  const bool was_hollow = turn_[at(corner)] <= 0;
   turn_[at(corner)] = side(previous_[at(corner)], corner, next_[at(corner)]);
   touched_[at(corner)] = round_;
-  if (turn_[at(corner)] <= 0) hollow_.push_back(corner);
+  if (const bool is_hollow = turn_[at(corner)] <= 0; was_hollow && !is_hollow)
+    ++forgotten_;
+  else if (is_hollow && !was_hollow)
+    add_hollow(corner);
   waiting_.push_back(corner);
 }
 
+/// Corners become hollow seldom: where cutting off ears leaves no angle.
+void EarClipper::add_hollow(Index corner) {
+  const auto sorted = [&](Index i) { return std::pair(key(i), i); };
+  const auto place = std::ranges::lower_bound(hollow_, sorted(corner), {}, sorted);
+  if (place != hollow_.end() && *place == corner)
+    --forgotten_; // it has been before
+  else
+    hollow_.insert(place, corner);
+}
+
+void EarClipper::forget_hollow() {
+  std::erase_if(hollow_, [&](Index corner) { return turn_[at(corner)] > 0; });
+  forgotten_ = 0;
+}
+
 /// Only hollow corners are asked: were a side to enter the triangle, one of its corners inside would be hollow, namely
-/// that farthest from the cut.
-bool EarClipper::is_ear(Index corner) {
+/// that farthest from the cut. And only those beside the triangle, which has small ones wait for few of many.
+bool EarClipper::is_ear(Index corner) const {
   if (turn_[at(corner)] != 1) return false;
-  for (std::size_t i = 0; i < hollow_.size();) {
-    if (turn_[at(hollow_[i])] > 0) { // no longer
-      hollow_[i] = hollow_.back();
-      hollow_.pop_back();
-    } else if (blocks(corner, hollow_[i])) {
-      return false;
-    } else {
-      ++i;
-    }
-  }
+  const auto [low, high] = std::minmax({key(previous_[at(corner)]), key(corner), key(next_[at(corner)])});
+  const double margin = 8 * rounding_; // `side` counts as on a line what is so near
+  for (auto i = std::ranges::lower_bound(hollow_, low - margin, {}, [&](Index other) { return key(other); });
+       i != hollow_.end() && key(*i) <= high + margin; ++i)
+    if (turn_[at(*i)] <= 0 && blocks(corner, *i)) return false;
   return true;
 }
 

@@ -30,10 +30,13 @@ class EarClipper {
   void start(std::span<const Point2> polygon);
   void cut_ears(std::vector<Index>& triangles);
   void remove(Index corner, std::vector<Index>& triangles);
-  bool is_ear(Index corner);
+  [[nodiscard]] bool is_ear(Index corner) const;
   [[nodiscard]] bool blocks(Index ear, Index corner) const;
   [[nodiscard]] int side(Index a, Index b, Index c) const;
   void update(Index corner);
+  void add_hollow(Index corner);
+  void forget_hollow();
+  [[nodiscard]] double key(Index corner) const { return along_x_ ? polygon_[at(corner)].x : polygon_[at(corner)].y; }
   [[nodiscard]] Index first_flat() const;
 
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -45,7 +48,9 @@ class EarClipper {
   std::vector<Index> previous_, next_; ///< among the corners left
   std::vector<int> turn_;              ///< 1 left, 0 straight on or back, -1 right; kRemoved
   std::vector<int> touched_;           ///< the round in which a neighbour was last cut off
+  bool along_x_ = true;                ///< where the polygon is longer: there hollow corners are sorted
   std::vector<Index> hollow_;          ///< corners that do not turn left, and some that no longer matter
+  std::size_t forgotten_ = 0;          ///< how many these are
   std::vector<Index> waiting_, now_;   ///< corners to look at in the next round, and in this one
 };
 

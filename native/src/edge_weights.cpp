@@ -38,7 +38,7 @@ void for_rows(std::size_t begin, std::size_t end, std::span<const Index> edges, 
 void sort_row(std::span<Entry> row) {
   constexpr std::size_t kInsertion = 24;
   if (row.size() > kInsertion) {
-    std::stable_sort(row.begin(), row.end());
+    if (!std::is_sorted(row.begin(), row.end())) std::stable_sort(row.begin(), row.end());
     return;
   }
   for (std::size_t i = 1; i < row.size(); ++i) {

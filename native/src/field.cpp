@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -55,10 +56,28 @@ std::vector<int> scale_free_rows(const Mask& fixed, Block& rhs) {
   return exponents;
 }
 
+/// What the columns of an exact solution may be off by.
+/// \param exponents  0 where fixed rows are in the scale of the free ones, which else are taken for exact
+Eigen::ArrayXd rounding_of(const Block& x, const std::vector<int>& exponents) {
+  constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+  Eigen::ArrayXd rounding = x.cwiseAbs().colwise().maxCoeff().transpose() * kRounding;
+  for (std::size_t c = 0; c < exponents.size(); ++c)
+    if (exponents[c] != 0) rounding[static_cast<Eigen::Index>(c)] = 0;
+  return rounding;
+}
+
 /// \param options  handed through: for a constructor that has to check before it delegates
 SolverOptions checked(const Mesh& mesh, std::span<const Index> painted, const SolverOptions& options) {
   check_painted(mesh.vertex_count(), painted);
   return options;
+}
+
+[[noreturn]] void refuse_infinite(const Eigen::MatrixXd& values, bool harmonic) {
+  if (!harmonic) throw SolverError("the source lifts the field beyond the largest number; scale it down");
+  Eigen::Index vertex = 0;
+  while (vertex + 1 < values.rows() && !values.row(vertex).array().isInf().any()) ++vertex;
+  throw SolverError(message("the field leaves the painted range beyond the largest number at vertex ", vertex,
+                            "; with the intrinsic Delaunay Laplacian it would not leave it"));
 }
 
 double scaled(double x, int exponent) {
@@ -107,6 +126,15 @@ HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options, L
   base_.nonzeros = statistics.nonzeros;
   base_.factor_nonzeros = statistics.factor_nonzeros;
   base_.analysis_seconds = statistics.analysis_seconds;
+  if (statistics.weak_links)
+    mesh_warnings_.push_back(message(
+        "some weights are over 1e8 times others, as across very thin faces, and the field may have lost as many "
+        "digits; ",
+        maximum_principle_ ? "the direct method in float64 loses none"
+                           : "with the intrinsic Delaunay Laplacian the direct method in float64 loses none",
+        options.method == Method::automatic && base_.method == Method::multigrid
+            ? ", but takes more than the memory budget"
+            : ""));
   if (const auto budget = options.memory_budget.value_or(default_memory_budget()); statistics.factor_bytes > budget)
     mesh_warnings_.push_back(message("the direct method takes ", in_bytes(statistics.factor_bytes),
                                      " for its factor, more than the memory budget of ", in_bytes(budget),
@@ -121,16 +149,14 @@ HarmonicSolver::HarmonicSolver(const Mesh& mesh, std::span<const Index> painted,
 
 HarmonicSolver::~HarmonicSolver() = default;
 
-void HarmonicSolver::describe(const Stiffness& stiffness, Defects defects) {
+void HarmonicSolver::describe(const Stiffness& stiffness, const Defects& defects) {
   maximum_principle_ = stiffness.maximum_principle;
   base_.laplacian = stiffness.laplacian;
   base_.reason = stiffness.reason;
-  if (stiffness.flat_faces > defects.flat_faces) { // those whose area is lost in rounding
-    defects.flat_faces = stiffness.flat_faces;
-    defects.first_flat = stiffness.first_flat;
-  }
   base_.flat_faces = defects.flat_faces;
   mesh_warnings_ = defects.warnings();
+  for (std::string& told : stiffness.delaunay.warnings()) mesh_warnings_.push_back(std::move(told));
+  obtuse_ = stiffness.delaunay.obtuse;
 }
 
 /// Brings mask, factor and regions up to a painting that was checked.
@@ -158,6 +184,15 @@ void HarmonicSolver::report_painting() {
   base_.unknowns = rows_->free_count();
   base_.first_undefined = -1;
   base_.warnings = mesh_warnings_;
+  const auto is_free = [this](Index v) { return rows_->fixed()[at(position_[at(v)])] == 0; };
+  const auto free_edges = static_cast<Index>(
+      std::ranges::count_if(obtuse_, [&](const auto& ends) { return is_free(ends[0]) || is_free(ends[1]); }));
+  if (free_edges > 0)
+    base_.warnings.push_back(
+        message(counted(free_edges, "border edge"), free_edges == 1 ? " that is" : " that are",
+                " not painted and opposite to an angle of more than 135 degrees would have ",
+                free_edges == 1 ? "a negative weight" : "negative weights",
+                ", which the intrinsic Delaunay Laplacian leaves out: the field along there may be off by percents"));
   if (base_.undefined == 0) return;
   while (!rows_->is_undefined(position_[at(++base_.first_undefined)])) {
   }
@@ -236,22 +271,22 @@ Field HarmonicSolver::compute(const Eigen::Ref<const Eigen::MatrixXd>& values, s
   if (report.method == Method::multigrid && guess.rows() == rhs.rows() && guess.cols() == rhs.cols())
     x = start_from(guess, exponents);
   report.iterations = solver_->solve(rhs, x);
-  report.relative_residual = relative_residual(solver_->matrix(), rows_->fixed(), rhs, x);
+  const bool exact = solver_->statistics().sums_pivots && report.iterations == 0 && maximum_principle_;
+  report.relative_residual = relative_residual(solver_->matrix(), rows_->fixed(), rhs, x,
+                                               exact ? rounding_of(x, more) : Eigen::ArrayXd::Zero(x.cols()));
   if (!std::isfinite(report.relative_residual))
     throw SolverError("the solver returned a value that is not finite; another method may do better");
   constexpr double kGood = 1e-8; // what a field of single precision does not see
-  if (report.relative_residual > kGood && report.method != Method::least_squares_cg)
-    report.warnings.push_back(message("the field holds to its equations only to a relative residual of ",
-                                      roughly(report.relative_residual),
-                                      ": weights differ too much in size, as where faces are very thin",
-                                      report.laplacian == Laplacian::graph ? "" : "; the graph Laplacian has no such"));
+  if (report.relative_residual > kGood)
+    report.warnings.push_back(
+        message("the field holds to its equations only to a relative residual of ", roughly(report.relative_residual),
+                ": the tolerance is no smaller, or weights differ too much in size, as where faces are very thin"));
   rhs.resize(0, 0); // before the field takes its memory
   finish(values, exponents, x);
   std::optional<PaintedRanges> ranges;
   if (source.empty()) ranges.emplace(regions_->result(), x, maximum_principle_);
   const FieldRange range = hand_out(x, solver_->order(), *rows_, ranges ? &*ranges : nullptr, field.values);
-  if (!std::isfinite(range.minimum) || !std::isfinite(range.maximum))
-    throw SolverError("the source lifts the field beyond the largest number; scale it down");
+  if (!std::isfinite(range.minimum) || !std::isfinite(range.maximum)) refuse_infinite(field.values, source.empty());
   report.minimum = range.minimum + 0.0; // 0 for -0: of equal ones, any thread's may come first
   report.maximum = range.maximum + 0.0;
   report.painted_minimum = values.minCoeff();
@@ -267,9 +302,8 @@ Field HarmonicSolver::compute(const Eigen::Ref<const Eigen::MatrixXd>& values, s
 void HarmonicSolver::report_outside(const Outside& outside, SolveReport& report) const {
   report.outside = outside.count;
   report.farthest_outside = outside.farthest;
-  constexpr double kVisible = 1e-9; // of the painted range: what an iteration's tolerance may leave is not said
-  if (maximum_principle_ || outside.farthest <= kVisible * report.painted_maximum - kVisible * report.painted_minimum)
-    return;
+  constexpr double kVisible = 1e-9; // of a range: what an iteration's tolerance may leave is not said
+  if (maximum_principle_ || outside.share <= kVisible) return;
   report.warnings.push_back(message(outside.count, outside.count == 1 ? " value lies" : " values lie",
                                     " outside the painted range, by up to ", outside.farthest,
                                     "; with the intrinsic Delaunay Laplacian none would"));

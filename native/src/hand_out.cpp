@@ -15,6 +15,7 @@ void merge(const FieldRange& part, FieldRange& all) {
   all.maximum = std::max(all.maximum, part.maximum);
   all.outside.count += part.outside.count;
   all.outside.farthest = std::max(all.outside.farthest, part.outside.farthest);
+  all.outside.share = std::max(all.outside.share, part.outside.share);
 }
 
 } // namespace

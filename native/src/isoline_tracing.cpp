@@ -176,7 +176,7 @@ class LineTracer {
       if (entered < 0) return false;
       if (visited_[at(entered / 2)] != 0) return true;
       visited_[at(entered / 2)] = 1;
-      end = entered ^ 1; // NOLINT(hicpp-signed-bitwise): the other end of the same crossing
+      end = entered ^ 1; // the other end of the same crossing
     }
   }
 

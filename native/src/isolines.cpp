@@ -14,7 +14,6 @@
 #include "line_geometry.h"
 #include "message.h"
 #include "parallel.h"
-#include "repeated_faces.h"
 
 namespace dirichlet {
 namespace {
@@ -166,26 +165,13 @@ void close_gaps(Isolines& lines, std::span<const Index> counts) {
   lines.length.resize(kept);
 }
 
-/// Without repeated faces, at whose sides every line would end; or null where there are none. One at a border stays:
-/// lines go over the border and back on it, as they would without any other face.
-std::unique_ptr<const Mesh> without_inner_repeats(const Mesh& mesh) {
-  const auto& opposite = mesh.connectivity().opposite;
-  std::vector<Index> faces;
-  for (const auto& [face, first] : mesh.repeated_faces())
-    if (std::all_of(opposite.begin() + mesh.offsets()[at(face)], opposite.begin() + mesh.offsets()[at(face) + 1],
-                    [](Index other) { return other == Connectivity::kNonManifold; }))
-      faces.push_back(face);
-  return faces.empty() ? nullptr : leave_out(mesh, faces);
-}
-
 } // namespace
 
 Isolines extract_isolines(const Mesh& mesh, std::span<const double> field, std::span<const double> levels,
                           const CancelToken& cancel) {
   check_field(field, mesh.vertex_count());
   const SortedLevels sorted = sort_levels(levels);
-  const std::unique_ptr<const Mesh> without = without_inner_repeats(mesh);
-  const Mesh& surface = without ? *without : mesh;
+  const Mesh& surface = mesh.without_inner_repeats();
   const Mesh& triangles = surface.triangulated();
   const Traces traces = trace_lines(surface, level_numbers(field, sorted.values), cancel);
 

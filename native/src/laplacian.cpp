@@ -21,15 +21,15 @@
 namespace dirichlet {
 namespace {
 
-/// Whether no two vertices repel each other, beyond what rounding makes of a weight of 0.
-bool has_maximum_principle(const SparseMatrix& K) {
-  constexpr double kRounding = 1e-14;
+/// Whether no two vertices repel each other.
+/// \param rounding  what it makes of a weight of 0, relative to the diagonal
+bool has_maximum_principle(const SparseMatrix& K, double rounding) {
   std::atomic<bool> attracting{true};
   parallel_chunks(at(static_cast<Index>(K.rows())), std::size_t{1} << 14, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<Index>(begin); i < static_cast<Index>(end) && attracting; ++i) {
       double diagonal = 0, largest = 0;
       for_row(K, i, [&](Index j, double k) { (j == i ? diagonal : largest) = j == i ? k : std::max(largest, k); });
-      if (largest > kRounding * diagonal) attracting = false;
+      if (largest > rounding * diagonal) attracting = false;
     }
   });
   return attracting;
@@ -37,15 +37,9 @@ bool has_maximum_principle(const SparseMatrix& K) {
 
 // Eigen 3.4 copies what is moved: a stiffness is filled in where it stays, and its matrix swapped in.
 
-void take(SparseMatrix&& K, Stiffness& result) {
+void take(SparseMatrix&& K, Stiffness& result, double rounding = 0) {
   result.K.swap(K);
-  result.maximum_principle = has_maximum_principle(result.K);
-}
-
-void note(Laplacian laplacian, const FlatFaces& flat, Stiffness& result) {
-  result.laplacian = laplacian;
-  result.flat_faces = flat.count;
-  result.first_flat = flat.count == 0 ? -1 : flat.first;
+  result.maximum_principle = has_maximum_principle(result.K, rounding);
 }
 
 void make_graph(const Mesh& mesh, Stiffness& result) {
@@ -55,17 +49,19 @@ void make_graph(const Mesh& mesh, Stiffness& result) {
 }
 
 void make_of_triangles(const Mesh& mesh, Laplacian laplacian, const Cotangents& cotangents, Stiffness& result) {
-  note(laplacian, cotangents.flat, result);
+  result.laplacian = laplacian;
   result.mass = cotangents.mass;
-  take(laplacian == Laplacian::cotangent ? cotangent_stiffness(mesh, cotangents.weights)
-                                         : intrinsic_delaunay_stiffness(mesh.triangulated()),
+  take(laplacian == Laplacian::cotangent
+           ? cotangent_stiffness(mesh, cotangents.weights)
+           : intrinsic_delaunay_stiffness(mesh.triangulated().without_repeats(), cotangents.weights, result.delaunay),
        result);
 }
 
 void make_polygon(PolygonLaplacian& polygons, Stiffness& result) {
-  note(Laplacian::polygon, polygons.flat, result);
+  result.laplacian = Laplacian::polygon;
   result.mass.swap(polygons.mass);
-  take(std::move(polygons.K), result);
+  constexpr double kRounding = 1e-14; // of products of matrices
+  take(std::move(polygons.K), result, kRounding);
 }
 
 void choose_graph(const Mesh& mesh, Stiffness& result) {
@@ -75,7 +71,6 @@ void choose_graph(const Mesh& mesh, Stiffness& result) {
 
 void choose_for_triangles(const Mesh& mesh, Stiffness& result) {
   const Cotangents cotangents = measure_cotangents(mesh);
-  if (cotangents.flat.count == mesh.face_count()) return choose_graph(mesh, result);
   make_of_triangles(mesh, Laplacian::cotangent, cotangents, result);
   result.reason = "no cotangent weight of these triangles is negative";
   if (result.maximum_principle) return;
@@ -98,7 +93,6 @@ bool has_large_polygons(const Mesh& mesh) {
 void choose_triangles_of_polygons(const Mesh& mesh, const char* reason, Stiffness& result) {
   try {
     const Cotangents cotangents = measure_cotangents(mesh);
-    if (cotangents.flat.count == mesh.face_count()) return choose_graph(mesh, result);
     make_of_triangles(mesh, Laplacian::intrinsic_delaunay, cotangents, result);
     result.reason = reason;
   } catch (const TopologyError&) {
@@ -113,7 +107,6 @@ void choose_for_polygons(const Mesh& mesh, Stiffness& result) {
     return choose_triangles_of_polygons(mesh, "polygons of so many corners fill the matrix, and triangles do not",
                                         result);
   PolygonLaplacian polygons = polygon_laplacian(mesh);
-  if (polygons.flat.count == mesh.face_count()) return choose_graph(mesh, result);
   make_polygon(polygons, result);
   result.reason = "the faces are polygons none of whose weights is negative";
   if (!result.maximum_principle)
@@ -121,17 +114,21 @@ void choose_for_polygons(const Mesh& mesh, Stiffness& result) {
         mesh, "some weights of these polygons are negative, and those of triangles with flipped edges are not", result);
 }
 
-void require_area(const Mesh& mesh, const FlatFaces& flat) {
-  if (flat.count == mesh.face_count())
-    throw InputError(message(flat.count == 1 ? std::string("face 0, the only one, has no area")
-                                             : message("none of the ", flat.count, " faces has an area"),
-                             ", so only the graph Laplacian can be taken"));
+bool has_area(const Mesh& mesh) {
+  return at(mesh.face_count()) > mesh.flat_faces().size();
 }
 
-/// Of a face of mesh.without_repeats(), its number in the mesh itself.
-Index number_with_repeats(const Mesh& mesh, Index face) {
-  for (const auto& [repeat, first] : mesh.repeated_faces()) face += repeat <= face ? 1 : 0; // ascending
-  return face;
+void require_area(const Mesh& mesh) {
+  if (has_area(mesh)) return;
+  const Index count = mesh.face_count();
+  throw InputError(message(count == 1 ? std::string("face 0, the only one, has no area")
+                                      : message("none of the ", count, " faces has an area"),
+                           ", so only the graph Laplacian can be taken"));
+}
+
+void choose(const Mesh& mesh, Stiffness& result) {
+  if (!has_area(mesh)) return choose_graph(mesh, result);
+  mesh.is_triangular() ? choose_for_triangles(mesh, result) : choose_for_polygons(mesh, result);
 }
 
 } // namespace
@@ -142,17 +139,16 @@ Stiffness make_stiffness(const Mesh& whole, Laplacian laplacian) {
   if (laplacian == Laplacian::graph) {
     make_graph(mesh, result);
   } else if (laplacian == Laplacian::automatic) {
-    mesh.is_triangular() ? choose_for_triangles(mesh, result) : choose_for_polygons(mesh, result);
+    choose(mesh, result);
   } else if (laplacian == Laplacian::polygon) {
+    require_area(mesh);
     PolygonLaplacian polygons = polygon_laplacian(mesh);
-    require_area(mesh, polygons.flat);
     make_polygon(polygons, result);
   } else {
+    require_area(mesh);
     const Cotangents cotangents = measure_cotangents(mesh);
-    require_area(mesh, cotangents.flat);
     make_of_triangles(mesh, laplacian, cotangents, result);
   }
-  if (result.flat_faces > 0) result.first_flat = number_with_repeats(whole, result.first_flat);
   return result;
 }
 

@@ -25,7 +25,7 @@ inline double between(double a, double b, double t) {
   const double low = b > x ? x : b, high = b < x ? x : b;
   const double clamped = b > a ? low : high;
   const double inner = t == 1 ? b : clamped;
-  const bool around_zero = ((a <= 0) & (b >= 0)) | ((a >= 0) & (b <= 0)); // NOLINT(hicpp-signed-bitwise)
+  const bool around_zero = ((a <= 0) & (b >= 0)) | ((a >= 0) & (b <= 0));
   return around_zero ? sum : inner;
 }
 

@@ -7,7 +7,9 @@
 #include <malloc.h>
 #endif
 #ifdef _WIN32
+#ifndef NOMINMAX // GCC's headers for Windows do so themselves
 #define NOMINMAX
+#endif
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 #else

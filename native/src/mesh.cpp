@@ -2,16 +2,16 @@
 #include "dirichlet/mesh.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <string>
 #include <utility>
 
-#include "any_value.h"
 #include "connectivity.h"
 #include "dirichlet/error.h"
 #include "dirichlet/triangulation.h"
+#include "flat_faces.h"
 #include "groups.h"
 #include "index.h"
+#include "mesh_checks.h"
 #include "message.h"
 #include "repeated_faces.h"
 #include "stopwatch.h"
@@ -19,47 +19,6 @@
 
 namespace dirichlet {
 namespace {
-
-/// Squares of coordinates have to stay finite, for lengths and areas.
-constexpr double kLargestCoordinate = 1e150;
-/// Corners and matrix entries are counted in 32 bits; a corner makes at most two entries.
-constexpr std::size_t kMostCorners = std::numeric_limits<Index>::max() / 4;
-
-void check_positions(std::span<const double> positions) {
-  if (positions.size() % 3 != 0)
-    throw InputError(message("positions have ", positions.size(), " numbers, which is not a multiple of 3"));
-  if (positions.size() / 3 > kMostCorners)
-    throw InputError(message("a mesh has at most ", kMostCorners, " vertices, not ", positions.size() / 3));
-  const auto bad = [](double x) { return !(std::abs(x) <= kLargestCoordinate); };
-  if (!any_value(positions, bad)) return;
-  const auto first = std::find_if(positions.begin(), positions.end(), bad);
-  const auto count = std::count_if(first, positions.end(), bad);
-  throw InputError(message("vertex ", (first - positions.begin()) / 3, " has the coordinate ", *first,
-                           ", which is not finite or beyond 1e150", and_more(count - 1, "coordinate")));
-}
-
-void check_offsets(std::span<const Index> offsets, std::size_t corner_count) {
-  if (offsets.size() < 2 || corner_count == 0) throw InputError("the mesh has no faces");
-  if (corner_count > kMostCorners)
-    throw InputError(message("a mesh has at most ", kMostCorners, " corners, not ", corner_count));
-  if (offsets.front() != 0 || offsets.back() != static_cast<Index>(corner_count))
-    throw InputError(message("face offsets run from ", offsets.front(), " to ", offsets.back(),
-                             ", but have to run from 0 to the number of corners, ", corner_count));
-  const auto drop = std::is_sorted_until(offsets.begin(), offsets.end());
-  if (drop != offsets.end())
-    throw InputError(
-        message("face offsets descend at place ", drop - offsets.begin(), ", from ", *(drop - 1), " to ", *drop));
-}
-
-void check_corner_range(std::span<const Index> offsets, std::span<const Index> corners, Index vertex_count) {
-  const auto bad = [=](Index v) { return (v < 0) | (v >= vertex_count); }; // NOLINT(hicpp-signed-bitwise)
-  if (!any_value(corners, bad)) return;
-  const auto first = std::find_if(corners.begin(), corners.end(), bad);
-  const auto place = static_cast<Index>(first - corners.begin());
-  const auto face = std::upper_bound(offsets.begin(), offsets.end(), place) - offsets.begin() - 1;
-  throw InputError(message("face ", face, " names vertex ", *first, ", but the vertices are 0 to ", vertex_count - 1,
-                           and_more(std::count_if(first, corners.end(), bad) - 1, "corner")));
-}
 
 bool are_triangles(std::span<const Index> offsets) {
   int others = 0;
@@ -141,6 +100,35 @@ Mesh::Mesh(SharedArray<double> positions, std::span<const Index> corners, Index 
   build(std::move(offsets), corners);
 }
 
+Mesh::Mesh(const Mesh& whole, std::vector<Index> left_out)
+    : positions_(whole.positions_), left_out_(std::move(left_out)) {
+  Buffer<Index> offsets(1, 0), corners;
+  auto out = left_out_.begin();
+  for (Index f = 0; f < whole.face_count(); ++f) {
+    if (out != left_out_.end() && f == *out) {
+      ++out;
+      continue;
+    }
+    const auto all = whole.corners_.begin();
+    corners.insert(corners.end(), all + whole.offsets_[at(f)], all + whole.offsets_[at(f) + 1]);
+    offsets.push_back(static_cast<Index>(corners.size()));
+  }
+  build(std::move(offsets), corners);
+}
+
+Mesh::Mesh(const Mesh& faces, SharedArray<double> positions)
+    : positions_(std::move(positions)), triangular_(faces.triangular_), left_out_(faces.left_out_) {
+  const Stopwatch watch;
+  check_positions(positions_.view());
+  if (vertex_count() != faces.vertex_count())
+    throw InputError(
+        message("positions of ", vertex_count(), " vertices do not fit faces over ", faces.vertex_count()));
+  offsets_ = faces.offsets_;
+  corners_ = faces.corners_;
+  connectivity_ = faces.connectivity_;
+  build_seconds_ = watch.seconds();
+}
+
 void Mesh::build(Buffer<Index> offsets, std::span<const Index> corners) {
   const Stopwatch watch;
   check_positions(positions_.view());
@@ -160,33 +148,61 @@ void Mesh::build(Buffer<Index> offsets, std::span<const Index> corners) {
 
 const Mesh& Mesh::triangulated() const {
   if (triangular_) return *this;
-  std::call_once(triangulate_once_, [this] {
-    triangulated_ = std::make_unique<Mesh>(positions_, triangulate(positions(), offsets_, corners_), 3);
+  return *triangulated_.get([this] {
+    return std::make_unique<const Mesh>(positions_, triangulate(positions(), offsets_, corners_, left_out_), 3);
   });
-  return *triangulated_;
 }
 
 std::span<const std::array<Index, 2>> Mesh::repeated_faces() const {
-  std::call_once(find_repeats_once_,
-                 [this] { repeated_faces_ = find_repeated_faces(offsets_, corners_, connectivity_); });
-  return repeated_faces_;
+  return repeated_faces_.get([this] { return find_repeated_faces(offsets_, corners_, connectivity_); });
+}
+
+std::unique_ptr<const Mesh> Mesh::leave_out(std::vector<Index> faces) const {
+  return std::unique_ptr<const Mesh>(new Mesh(*this, std::move(faces))); // its constructor is private
 }
 
 const Mesh& Mesh::without_repeats() const {
-  const auto repeats = repeated_faces();
-  if (repeats.empty()) return *this;
-  std::call_once(leave_out_repeats_once_, [&] {
+  if (repeated_faces().empty()) return *this;
+  return *without_repeats_.get([this] {
     std::vector<Index> faces;
-    for (const auto& [face, first] : repeats) faces.push_back(face);
-    without_repeats_ = leave_out(*this, faces);
+    for (const auto& [face, first] : repeated_faces()) faces.push_back(face);
+    return leave_out(std::move(faces));
   });
-  return *without_repeats_;
+}
+
+const Mesh& Mesh::without_inner_repeats() const {
+  std::vector<Index> inner; // found anew, as that is nothing beside any use of the mesh
+  for (const auto& [face, first] : repeated_faces())
+    if (std::all_of(connectivity_.opposite.begin() + offsets_[at(face)],
+                    connectivity_.opposite.begin() + offsets_[at(face) + 1],
+                    [](Index other) { return other == Connectivity::kNonManifold; }))
+      inner.push_back(face);
+  if (inner.empty()) return *this;
+  if (inner.size() == repeated_faces().size()) return without_repeats();
+  return *without_inner_repeats_.get([&] { return leave_out(std::move(inner)); });
+}
+
+Index Mesh::number_with_repeats(Index face) const {
+  return number_among_all(face, left_out_);
+}
+
+std::span<const Index> Mesh::flat_faces() const {
+  return flat_faces_.get([this] { return each_once(find_flat_faces(positions(), offsets_, corners_)); });
+}
+
+std::vector<Index> Mesh::each_once(std::span<const Index> faces) const {
+  std::vector<Index> once;
+  if (faces.empty()) return once; // without a look for repeats
+  auto repeat = repeated_faces().begin();
+  for (const Index face : faces) {
+    while (repeat != repeated_faces().end() && (*repeat)[0] < face) ++repeat;
+    if (repeat == repeated_faces().end() || (*repeat)[0] != face) once.push_back(face);
+  }
+  return once;
 }
 
 const Groups& Mesh::corners_by_vertex() const {
-  std::call_once(group_corners_once_,
-                 [this] { corners_by_vertex_ = std::make_shared<const Groups>(at(vertex_count()), corners_); });
-  return *corners_by_vertex_;
+  return *corners_by_vertex_.get([this] { return std::make_shared<const Groups>(at(vertex_count()), corners_); });
 }
 
 Components Mesh::components() const {

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "mesh_checks.h"
 #include "mesh_io/checked_file.h"
 #include "mesh_io/encode.h"
 #include "mesh_io/openmesh_reader.h"
@@ -102,6 +103,17 @@ std::string encode(const fs::path& path, const MeshView& mesh, std::span<const u
   refuse_ending(path);
 }
 
+void check_sizes(std::span<const Index> offsets) {
+  std::ptrdiff_t first = 0, count = 0;
+  for (std::ptrdiff_t f = std::ssize(offsets) - 2; f >= 0; --f)
+    if (offsets[static_cast<std::size_t>(f) + 1] - offsets[static_cast<std::size_t>(f)] < 3) {
+      first = f;
+      ++count;
+    }
+  if (count > 0)
+    throw InputError(message("face ", first, " has fewer than three corners", and_more(count - 1, "such face")));
+}
+
 } // namespace
 
 MeshArrays read_mesh_file(const fs::path& path) {
@@ -124,8 +136,10 @@ MeshArrays read_mesh_file(const fs::path& path) {
 
 void write_mesh_file(const fs::path& path, std::span<const double> positions, std::span<const Index> offsets,
                      std::span<const Index> corners, std::span<const unsigned char> colors) {
-  if (positions.size() % 3 != 0 || offsets.empty() || static_cast<std::size_t>(offsets.back()) != corners.size())
-    throw InputError("the arrays to be written are not those of a mesh");
+  check_positions(positions);
+  check_offsets(offsets, corners.size());
+  check_corner_range(offsets, corners, static_cast<Index>(positions.size() / 3));
+  check_sizes(offsets);
   if (!colors.empty() && colors.size() != positions.size())
     throw InputError(
         message("there are ", counted(colors.size() / 3, "colour"), " for ", counted(positions.size() / 3, "vertex")));

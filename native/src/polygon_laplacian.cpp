@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 
 #include <Eigen/Dense>
 
 #include "dirichlet/error.h"
 #include "edge_weights.h"
+#include "face_extent.h"
 #include "index.h"
+#include "memory.h"
 #include "message.h"
+#include "parallel.h"
 #include "triangle_shape.h"
 
 namespace dirichlet {
@@ -46,8 +50,6 @@ class PolygonElement {
     share_out_mass();
   }
 
-  /// All triangles are.
-  [[nodiscard]] bool is_flat() const { return flat_; }
   /// (k,) the share of every corner
   [[nodiscard]] const Eigen::VectorXd& mass() const { return mass_; }
 
@@ -62,17 +64,13 @@ class PolygonElement {
  private:
   /// Corners around their mean, of size about 1: neither offset nor scale costs any digits.
   void place(std::span<const Index> corners) {
-    const Vector3 origin = point(positions_, corners.front());
-    double size = 0, farthest = 0;
+    const FaceExtent extent = face_extent(positions_, corners);
     points_.resize(3, size_);
     for (Place i = 0; i < size_; ++i) {
-      const Vector3 p = point(positions_, corners[static_cast<std::size_t>(i)]), q = p - origin;
-      farthest = std::max(farthest, largest_part(p));
-      size = std::max(size, largest_part(q));
+      const Vector3 q = point(positions_, corners[static_cast<std::size_t>(i)]) - extent.origin;
       points_.col(i) << q.x, q.y, q.z;
     }
-    scale_ = unit_scale(size);
-    rounding_ = rounding_of(scale_ * farthest);
+    scale_ = unit_scale(extent.size);
     points_ *= scale_;
     const Vector3d mean = points_.rowwise().mean();
     points_.colwise() -= mean;
@@ -82,8 +80,7 @@ class PolygonElement {
   [[nodiscard]] Vector3d corner(Place i) const { return points_.col(i); }
 
   void load_triangle() {
-    const auto shape = triangle_shape({to_vector3(corner(0)), to_vector3(corner(1)), to_vector3(corner(2))}, rounding_);
-    flat_ = shape.flat;
+    const auto shape = triangle_shape({to_vector3(corner(0)), to_vector3(corner(1)), to_vector3(corner(2))});
     weights_ = spokes_ = Vector3d::Zero();
     sides_ = Vector3d(shape.cotangents[2], shape.cotangents[0], shape.cotangents[1]) / 2;
     mass_.setConstant(3, shape.area / scale_ / scale_ / 3);
@@ -98,9 +95,8 @@ class PolygonElement {
       b += e.squaredNorm() * p - e.dot(p) * e;
     }
     constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
-    constexpr double kThin = 1e-10; // the square of a thickness that coordinates in float32 have by rounding alone
     const Vector3d least_areas = solve_as_far_as_known(A, b, kRounding);
-    const Vector3d slope = solve_as_far_as_known(points_ * points_.transpose(), least_areas, kThin);
+    const Vector3d slope = solve_as_far_as_known(points_ * points_.transpose(), least_areas, kThin * kThin);
     weights_ = points_.transpose() * slope; // they sum to 0, and with 1/k to 1
     weights_.array() += 1 / static_cast<double>(size_);
     virtual_ = points_ * weights_;
@@ -113,12 +109,10 @@ class PolygonElement {
     spokes_.setZero(size_);
     sides_.setZero(size_);
     areas_.setZero(size_);
-    flat_ = true;
     for (Place i = 0; i < size_; ++i) {
       const Place next = i + 1 == size_ ? 0 : i + 1;
       const Vector3d from = corner(i), to = corner(next);
-      const auto shape = triangle_shape({to_vector3(from), to_vector3(to), to_vector3(virtual_)}, rounding_);
-      flat_ = flat_ && shape.flat;
+      const auto shape = triangle_shape({to_vector3(from), to_vector3(to), to_vector3(virtual_)});
       spokes_[i] += shape.cotangents[1] / 2;
       spokes_[next] += shape.cotangents[0] / 2;
       sides_[i] = shape.cotangents[2] / 2;
@@ -146,28 +140,48 @@ class PolygonElement {
 
   std::span<const double> positions_;
   Place size_ = 0;
-  double scale_ = 1, rounding_ = 0;
+  double scale_ = 1;
   Eigen::Matrix<double, 3, Eigen::Dynamic> points_;
   Eigen::VectorXd weights_;        ///< (k,) of the virtual vertex
   Vector3d virtual_, normal_;      ///< normal_: twice the area vector
   Eigen::VectorXd spokes_, sides_; ///< (k,) weights of the edges to the virtual vertex, and from a corner to the next
   Eigen::VectorXd areas_;          ///< (k,) of the triangles; negative where seen from behind
   double all_spokes_ = 0;          ///< their sum
-  bool flat_ = true;
   Eigen::VectorXd mass_;
 };
 
-/// (F + 1,) where the pairs of every face start. \throws InputError  too many
-std::vector<std::int64_t> count_pairs(std::span<const Index> offsets) {
-  constexpr std::int64_t kMost = std::numeric_limits<Index>::max() / 4; // each makes two entries
+constexpr std::int64_t kMostPolygonCorners = 7000;
+
+std::size_t largest_face(std::span<const Index> offsets) {
+  std::size_t largest = 0;
+  for (std::size_t f = 1; f + 1 < offsets.size(); ++f)
+    if (offsets[f + 1] - offsets[f] > offsets[largest + 1] - offsets[largest]) largest = f;
+  return largest;
+}
+
+/// (F + 1,) where the pairs of every face start. \throws InputError  too many; names the largest face
+std::vector<std::int64_t> count_pairs(const Mesh& mesh) {
+  const auto offsets = mesh.offsets();
+  const std::size_t largest = largest_face(offsets);
+  const auto size = [&](std::size_t f) { return std::int64_t{offsets[f + 1] - offsets[f]}; };
+  const auto face = [&] {
+    return message("face ", mesh.number_with_repeats(static_cast<Index>(largest)), " with its ", size(largest),
+                   " corners");
+  };
+  if (size(largest) > kMostPolygonCorners)
+    throw InputError(message(face(), " is beyond the ", kMostPolygonCorners,
+                             " that the polygon Laplacian takes, as its ",
+                             "time grows with their cube; the other Laplacians take any number"));
   std::vector<std::int64_t> starts(offsets.size(), 0);
-  for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
-    const std::int64_t k = offsets[f + 1] - offsets[f];
-    starts[f + 1] = starts[f] + k * (k - 1) / 2;
-    if (starts[f + 1] > kMost)
-      throw InputError(message("face ", f, " with its ", k, " corners makes more than the ", kMost,
-                               " pairs of corners that the polygon Laplacian can hold; the others have no such limit"));
-  }
+  for (std::size_t f = 0; f + 1 < offsets.size(); ++f) starts[f + 1] = starts[f] + size(f) * (size(f) - 1) / 2;
+
+  // Each pair has two entries, numbered in 32 bits with the diagonal's; both take these bytes where K is made.
+  constexpr std::int64_t kBytes = 72, kMost = std::numeric_limits<Index>::max() / 4;
+  const std::int64_t most = std::min(kMost, physical_memory() / kBytes);
+  if (starts.back() > most)
+    throw InputError(message("the faces, the largest of which is ", face(), ", make ", starts.back(),
+                             " pairs of corners, more than the ", most, " that there is memory for; ",
+                             "the other Laplacians take any number"));
   return starts;
 }
 
@@ -175,27 +189,27 @@ std::vector<std::int64_t> count_pairs(std::span<const Index> offsets) {
 
 PolygonLaplacian polygon_laplacian(const Mesh& mesh) {
   const auto corners = mesh.corners(), offsets = mesh.offsets();
-  const auto starts = count_pairs(offsets);
+  const auto starts = count_pairs(mesh);
   Buffer<Index> pairs(2 * static_cast<std::size_t>(starts.back()));
   Buffer<double> weights(static_cast<std::size_t>(starts.back()));
   Buffer<double> shares(corners.size());
-  PolygonLaplacian result;
-  result.flat = find_flat_faces(mesh.face_count(), [&] {
-    return [&, element = PolygonElement(mesh.positions())](Index face) mutable {
-      const auto first = at(offsets[at(face)]);
-      const auto polygon = corners.subspan(first, at(offsets[at(face) + 1]) - first);
+  constexpr std::size_t kGrain = 1 << 12;
+  parallel_chunks(at(mesh.face_count()), kGrain, [&](std::size_t begin, std::size_t end) {
+    PolygonElement element(mesh.positions());
+    for (std::size_t face = begin; face < end; ++face) {
+      const auto polygon = corners.subspan(at(offsets[face]), at(offsets[face + 1] - offsets[face]));
       element.load(polygon);
-      std::ranges::copy(element.mass(), shares.begin() + offsets[at(face)]);
-      auto pair = static_cast<std::size_t>(starts[at(face)]);
+      std::ranges::copy(element.mass(), shares.begin() + offsets[face]);
+      auto pair = static_cast<std::size_t>(starts[face]);
       for (std::size_t i = 0; i < polygon.size(); ++i)
         for (std::size_t j = i + 1; j < polygon.size(); ++j, ++pair) {
           pairs[2 * pair] = polygon[i];
           pairs[2 * pair + 1] = polygon[j];
           weights[pair] = element.pair_weight(static_cast<Place>(i), static_cast<Place>(j));
         }
-      return element.is_flat();
-    };
+    }
   });
+  PolygonLaplacian result;
   result.K = stiffness_of_edges(mesh.vertex_count(), pairs, weights);
   result.mass.assign(at(mesh.vertex_count()), 0.0);
   for (std::size_t c = 0; c < corners.size(); ++c) result.mass[at(corners[c])] += shares[c];

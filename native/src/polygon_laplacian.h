@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "dirichlet/laplacian.h"
-#include "flat_faces.h"
 
 namespace dirichlet {
 
@@ -12,7 +11,6 @@ namespace dirichlet {
 struct PolygonLaplacian {
   SparseMatrix K;
   std::vector<double> mass; ///< (V,)
-  FlatFaces flat;           ///< all of whose triangles around the virtual vertex are
 };
 
 /// The virtual vertex is where the squared areas of the triangles around it have the least sum; its weights are affine
@@ -22,7 +20,9 @@ struct PolygonLaplacian {
 /// Masses are those of the triangles, lumped; where the virtual vertex sees a side from behind, its triangle counts
 /// negative, so that the sum stays the area; where that or a negative weight would leave a corner with a negative mass,
 /// the polygon's area (of its area vector at least) is shared out in proportion to the triangles around.
-/// \throws InputError  polygons of too many corners for 32-bit entries. Cost: O(V + sum of k²), on all cores.
+/// \throws InputError  a polygon of more than 7000 corners: all are joined to all, so that a direct solver takes time
+/// as their cube, some ten seconds there; or more pairs of corners than fit the memory at 72 bytes each (a polygon of
+/// 5000 takes .9 GB), or than 2^29. Cost: O(V + sum of k²), on all cores.
 PolygonLaplacian polygon_laplacian(const Mesh& mesh);
 
 } // namespace dirichlet

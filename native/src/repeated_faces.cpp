@@ -118,19 +118,12 @@ std::vector<std::array<Index, 2>> find_repeated_faces(std::span<const Index> off
   return RepeatFinder(offsets, corners, connectivity).find();
 }
 
-std::unique_ptr<Mesh> leave_out(const Mesh& mesh, std::span<const Index> faces) {
-  std::vector<Index> offsets{0}, corners;
-  auto out = faces.begin();
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    if (out != faces.end() && f == *out) {
-      ++out;
-      continue;
-    }
-    const auto begin = mesh.corners().begin();
-    corners.insert(corners.end(), begin + mesh.offsets()[at(f)], begin + mesh.offsets()[at(f) + 1]);
-    offsets.push_back(static_cast<Index>(corners.size()));
+Index number_among_all(Index face, std::span<const Index> left_out) {
+  for (const Index out : left_out) {
+    if (out > face) break;
+    ++face;
   }
-  return std::make_unique<Mesh>(mesh.shared_positions(), offsets, corners);
+  return face;
 }
 
 } // namespace dirichlet

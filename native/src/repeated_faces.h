@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,7 +16,7 @@ namespace dirichlet {
 std::vector<std::array<Index, 2>> find_repeated_faces(std::span<const Index> offsets, std::span<const Index> corners,
                                                       const Connectivity& connectivity);
 
-/// The mesh without some of its faces, ascending.
-std::unique_ptr<Mesh> leave_out(const Mesh& mesh, std::span<const Index> faces);
+/// The number that a face had before some were left out, ascending.
+Index number_among_all(Index face, std::span<const Index> left_out);
 
 } // namespace dirichlet

@@ -8,6 +8,7 @@
 #include <queue>
 #include <utility>
 
+#include "flat_faces.h"
 #include "groups.h"
 #include "index.h"
 #include "parallel_collect.h"
@@ -20,10 +21,9 @@ constexpr std::size_t kGrain = 1 << 13;
 
 /// How much shorter than the other two together a side has to be, relative to the longest: what is far above the
 /// rounding of lengths.
-constexpr double kSlack = 2e-12;
-/// The least a side has to have of the longest. A cotangent is about its inverse: of entries so large, a sum keeps as
-/// many digits of the others as this lets a field lose.
-constexpr double kShortest = 1e-8;
+constexpr double kSlack = 2e-13;
+/// The least a side has to have of the longest.
+constexpr double kShortest = 1e-13;
 
 double distance(const double* p, const double* q, double scale) {
   const double x = scale * (p[0] - q[0]), y = scale * (p[1] - q[1]), z = scale * (p[2] - q[2]);
@@ -70,11 +70,15 @@ class Mollifier {
         if (sides_[at(c)] == 0 && more(c) == 0) more(c) = 1;
   }
 
-  void lengthen() {
+  /// \returns (V,) 1 where sides got longer
+  Buffer<std::uint8_t> lengthen() {
     parallel_chunks(corners_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (auto c = static_cast<Index>(begin); c < static_cast<Index>(end); ++c)
         sides_[at(c)] += more(c) + more(next_in_triangle(c));
     });
+    Buffer<std::uint8_t> lengthened(more_.size());
+    std::transform(more_.begin(), more_.end(), lengthened.begin(), [](double more) { return more > 0 ? 1 : 0; });
+    return lengthened;
   }
 
  private:
@@ -138,11 +142,13 @@ bool is_bad(double a, double b, double c) {
 
 } // namespace
 
-Buffer<double> mollified_sides(const Mesh& triangles) {
+SideLengths mollified_sides(const Mesh& triangles) {
   const std::span<const Index> corners = triangles.corners();
   const double* const p = triangles.positions().data();
   const double scale = unit_scale(extent(triangles));
-  Buffer<double> sides(corners.size());
+  SideLengths result;
+  Buffer<double>& sides = result.lengths;
+  sides.resize(corners.size());
   const auto bad_faces =
       parallel_collect<Index>(at(triangles.face_count()), kGrain, [&](std::size_t begin, std::size_t end, auto& bad) {
         for (std::size_t face = begin; face < end; ++face) {
@@ -153,8 +159,11 @@ Buffer<double> mollified_sides(const Mesh& triangles) {
           if (is_bad(side[0], side[1], side[2])) bad.push_back(static_cast<Index>(face));
         }
       });
-  if (!bad_faces.empty()) Mollifier(triangles, sides, bad_faces).lengthen();
-  return sides;
+  result.thickened = static_cast<Index>(std::count_if(bad_faces.begin(), bad_faces.end(), [&](Index face) {
+    return !is_flat(triangles.positions(), corners.subspan(3 * at(face), 3));
+  }));
+  if (!bad_faces.empty()) result.lengthened = Mollifier(triangles, sides, bad_faces).lengthen();
+  return result;
 }
 
 } // namespace dirichlet

@@ -11,6 +11,7 @@
 #include "solver/direct_solver.h"
 #include "solver/least_squares_solver.h"
 #include "solver/multigrid_solver.h"
+#include "solver/weak_links.h"
 
 namespace dirichlet {
 namespace {
@@ -24,14 +25,21 @@ void check_options(const SolverOptions& options) {
     throw InputError(message("the memory budget has to be 0 or more bytes, not ", *options.memory_budget));
 }
 
+std::unique_ptr<Solver> choose_iterative(SparseMatrix&& K, const SolverOptions& options, double analysis_seconds) {
+  limit_weights(K);
+  return options.method == Method::least_squares_cg ? make_least_squares_solver(std::move(K), options)
+                                                    : make_multigrid_solver(std::move(K), options, analysis_seconds);
+}
+
 std::unique_ptr<Solver> choose_solver(SparseMatrix&& K, const SolverOptions& options) {
-  if (options.method == Method::least_squares_cg) return make_least_squares_solver(std::move(K), options);
-  if (options.method == Method::multigrid) return make_multigrid_solver(std::move(K), options);
+  if (options.method == Method::least_squares_cg || options.method == Method::multigrid)
+    return choose_iterative(std::move(K), options, 0);
   const std::int64_t budget = options.memory_budget.value_or(default_memory_budget());
   const Analysis analysis = analyse_pattern(K, options.cancel);
   if (options.method == Method::automatic &&
       direct_solver_bytes(*analysis.symbolic, K.nonZeros(), options.precision) > budget)
-    return make_multigrid_solver(std::move(K), options, analysis.seconds);
+    return choose_iterative(std::move(K), options, analysis.seconds);
+  if (options.precision == Precision::float32) limit_weights(K);
   return make_direct_solver(K, analysis, budget, options);
 }
 

@@ -28,11 +28,6 @@ double four_areas(const Sides& sides) {
 
 } // namespace
 
-double triangle_area(const Sides& sides) {
-  const double scale = unit_scale(std::max({sides[0], sides[1], sides[2]}));
-  return four_areas({scale * sides[0], scale * sides[1], scale * sides[2]}) / 4 / scale / scale;
-}
-
 Sides half_cotangents(const Sides& sides) {
   const auto [a, b, c] = ordinary(sides);
   const double eight_areas = 2 * four_areas({a, b, c});

@@ -6,14 +6,14 @@
 
 namespace dirichlet {
 
-TriangleShape triangle_shape(const std::array<Vector3, 3>& corners, double rounding) {
+TriangleShape triangle_shape(const std::array<Vector3, 3>& corners) {
   std::array<Vector3, 3> edges; // opposite to every corner
   double size = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     edges[k] = corners[(k + 2) % 3] - corners[(k + 1) % 3];
     size = std::max(size, largest_part(edges[k]));
   }
-  if (size == 0) return {{1 / std::sqrt(3.0), 1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}, 0, true};
+  if (size == 0) return {{1 / std::sqrt(3.0), 1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}, 0};
   const double scale = unit_scale(size);
   for (Vector3& edge : edges) edge = scale * edge;
 
@@ -26,14 +26,14 @@ TriangleShape triangle_shape(const std::array<Vector3, 3>& corners, double round
 
   TriangleShape shape;
   shape.area = twice_area / 2 / scale / scale;
-  shape.flat = twice_area <= scale * rounding * std::sqrt(square);
   // Where the height meets the longest edge, as shares of it.
   const double from_left = -dot(edges[right], edges[apex]) / square,
                from_right = -dot(edges[left], edges[apex]) / square;
-  if (const double height = twice_area / square; height < kLeastHeight) {
-    shape.cotangents[left] = from_left / kLeastHeight;
-    shape.cotangents[right] = from_right / kLeastHeight;
-    shape.cotangents[apex] = (kLeastHeight * kLeastHeight - from_left * from_right) / kLeastHeight;
+  const double least = std::max(kLeastHeight, 4 * kLeastCap * from_left * from_right);
+  if (const double height = twice_area / square; height < least) {
+    shape.cotangents[left] = from_left / least;
+    shape.cotangents[right] = from_right / least;
+    shape.cotangents[apex] = (least * least - from_left * from_right) / least;
   } else {
     shape.cotangents[left] = from_left / height;
     shape.cotangents[right] = from_right / height;

@@ -83,6 +83,8 @@ def main(words: list[str] | None = None) -> int:
         help="for a case of fewer than 50 000 vertices (default 10), in proportion above; then it counts as hung",
     )  # fmt: skip
     args = parser.parse_args(words)
+    if missing := [str(place) for place in args.places if not place.exists()]:
+        parser.error(f"there is no {missing[0]}" + (f" (and {len(missing) - 1} more)" if missing[1:] else ""))
     meshes, others = find_files(args.places)
     start, printed, all_cases = time.perf_counter(), [], {}
 

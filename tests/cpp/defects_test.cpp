@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dirichlet/defects.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "dirichlet/error.h"
 #include "dirichlet/field.h"
 #include "dirichlet/isolines.h"
+#include "dirichlet/levels.h"
 #include "mesh_makers.h"
+#include "refusal.h"
 
 namespace dirichlet {
 namespace {
@@ -30,7 +35,7 @@ TEST(Defects, repeated_faces_are_found_in_any_direction_from_any_corner) {
   for (const bool triangles : {true, false}) {
     PolygonSoup soup = makers::grid(3, 3, triangles);
     const auto count = static_cast<Index>(soup.faces.size());
-    for (const std::size_t f : {4, 1}) {
+    for (const std::size_t f : {std::size_t{4}, std::size_t{1}}) {
       std::vector<Index> face = soup.faces[f];
       std::rotate(face.begin(), face.begin() + 1, face.end());
       soup.faces.push_back(face);
@@ -87,6 +92,56 @@ TEST(Defects, faces_without_an_area_are_counted_at_any_scale) {
   }
 }
 
+TEST(Defects, faces_without_an_area_are_counted_by_one_measure_and_repeated_ones_once) {
+  auto soup = makers::grid(60, 60, false); // several threads' worth
+  const auto n = static_cast<Index>(soup.positions.size() / 3);
+  for (const double x : {0.1, 0.2, 0.3, 0.4}) soup.positions.insert(soup.positions.end(), {3 * x, 7 * x, 9 * x});
+  soup.faces.push_back(soup.faces.front()); // counts once, and does not shift the numbers of those after it
+  for (const std::vector<Index>& face :
+       {std::vector{n, n + 1, n + 2, n + 3}, {n, n + 1, n + 2}, {n + 1, n + 2, n}, {n + 1, n + 2, n + 3}})
+    soup.faces.push_back(face); // on a line but for rounding
+  const auto mesh = make_mesh(soup);
+  EXPECT_TRUE(std::ranges::equal(mesh->flat_faces(), std::vector<Index>{3601, 3602, 3604}));
+  for (const Laplacian laplacian :
+       {Laplacian::graph, Laplacian::cotangent, Laplacian::intrinsic_delaunay, Laplacian::polygon}) {
+    HarmonicSolver solver(*mesh, {}, laplacian);
+    const SolveReport report = solver.paint(std::vector<Index>{0, 5}, Eigen::Vector2d(0, 1)).report;
+    EXPECT_EQ(report.flat_faces, 3);
+    EXPECT_EQ(report.warnings.at(1), "face 3601 has no area (and 2 more faces)");
+  }
+}
+
+TEST(Defects, ends_of_edges_without_length_are_no_seam) {
+  PolygonSoup soup = makers::grid(3, 2);
+  std::copy_n(soup.positions.begin() + 3, 3, soup.positions.begin() + 6); // 1 and 2, next to each other on the border
+  EXPECT_EQ(find_defects(*make_mesh(soup)).coincident_vertices, 0);
+  std::copy_n(soup.positions.begin() + 3, 3, soup.positions.begin() + 9); // and 3, which an edge joins to 2 alone
+  EXPECT_EQ(find_defects(*make_mesh(soup)).coincident_vertices, 0);
+  std::copy_n(soup.positions.begin() + 3, 3, soup.positions.begin() + 30); // 10, and 11 beside it, across the grid
+  std::copy_n(soup.positions.begin() + 3, 3, soup.positions.begin() + 33);
+  const Defects defects = find_defects(*make_mesh(soup));
+  EXPECT_EQ(defects.coincident_vertices, 1);
+  EXPECT_EQ(defects.first_coincident, (std::array<Index, 2>{1, 10}));
+}
+
+TEST(Defects, quads_two_of_whose_sides_cross_are_told_at_any_scale) {
+  for (const double scale : {1e-160, 1.0, 1e148}) {
+    PolygonSoup soup = makers::grid(4, 4, false);
+    std::swap(soup.faces[7][0], soup.faces[7][1]);
+    std::swap(soup.faces[9][2], soup.faces[9][3]);
+    soup.faces.push_back(soup.faces[9]);
+    for (std::size_t z = 2; z < soup.positions.size(); z += 3)
+      soup.positions[z] = 0.02 * std::sin(static_cast<double>(z));
+    const auto mesh = make_mesh(scaled(soup, scale));
+    const Defects defects = find_defects(*mesh);
+    EXPECT_EQ(defects.crossing_faces, 2);
+    EXPECT_EQ(defects.first_crossing, 7);
+    HarmonicSolver solver(*mesh, {}, Laplacian::cotangent);
+    EXPECT_EQ(solver.paint(std::vector<Index>{0, 24}, Eigen::Vector2d(0, 1)).report.warnings.at(1),
+              "face 7 crosses itself (and 1 more face), so its triangles lie on each other");
+  }
+}
+
 TEST(Defects, vertices_of_a_seam_are_counted_and_the_first_pair_is_named) {
   PolygonSoup soup = makers::grid(3, 2);
   const auto size = static_cast<Index>(soup.positions.size() / 3);
@@ -102,6 +157,36 @@ TEST(Defects, vertices_of_a_seam_are_counted_and_the_first_pair_is_named) {
   EXPECT_EQ(defects.coincident_vertices, 4);
   EXPECT_EQ(defects.first_coincident, (std::array<Index, 2>{8, 12}));
   EXPECT_NE(defects.warnings().at(0).find("merging by distance"), std::string::npos);
+}
+
+TEST(Defects, faces_are_named_by_their_number_among_all_though_repeats_are_left_out) {
+  PolygonSoup soup = makers::torus(5, 4, false);
+  const auto n = static_cast<Index>(soup.positions.size() / 3);
+  soup.faces.insert(soup.faces.begin() + 3, soup.faces[2]);
+  soup.positions.insert(soup.positions.end(), {0, 0, 9, 2, 2, 9, 3, 1, 9, 2, 0, 9, 0, 2, 9});
+  soup.faces.push_back({n, n + 1, n + 2, n + 3, n + 4});
+  const auto mesh = make_mesh(soup);
+  std::vector<double> field;
+  for (std::size_t v = 0; v < soup.positions.size(); v += 3) field.push_back(soup.positions[v]);
+  const std::vector<double> levels{0.5};
+  EXPECT_REFUSED(extract_isolines(*mesh, field, levels), TopologyError, "face 21 crosses itself");
+  EXPECT_REFUSED(equal_area_levels(*mesh, field, 3), TopologyError, "face 21 crosses itself");
+  EXPECT_EQ(&mesh->without_inner_repeats(), &mesh->without_repeats()); // kept, and made once
+  EXPECT_EQ(mesh->without_repeats().number_with_repeats(2), 2);
+  EXPECT_EQ(mesh->without_repeats().number_with_repeats(3), 4);
+}
+
+TEST(Defects, repeats_at_a_border_stay_for_lines) {
+  PolygonSoup soup = makers::grid(3, 3);
+  const auto count = static_cast<Index>(soup.faces.size());
+  soup.faces.push_back(soup.faces[0]); // at the border
+  const auto border = make_mesh(soup);
+  EXPECT_EQ(&border->without_inner_repeats(), border.get()); // and no other mesh is made
+  soup.faces.push_back(soup.faces[9]);                       // inside
+  const auto mesh = make_mesh(soup);
+  EXPECT_EQ(mesh->without_repeats().face_count(), count);
+  EXPECT_EQ(mesh->without_inner_repeats().face_count(), count + 1);
+  EXPECT_EQ(&mesh->without_inner_repeats(), &mesh->without_inner_repeats());
 }
 
 TEST(Defects, are_told_with_every_field) {

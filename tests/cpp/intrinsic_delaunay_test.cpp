@@ -7,6 +7,8 @@
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 
+#include "cotangent_laplacian.h"
+#include "dirichlet/field.h"
 #include "index.h"
 #include "intrinsic/cover.h"
 #include "mesh_makers.h"
@@ -21,8 +23,17 @@ namespace {
 using makers::make_mesh;
 using makers::PolygonSoup;
 
+SparseMatrix stiffness(const Mesh& triangles) {
+  DelaunayNotes notes;
+  return intrinsic_delaunay_stiffness(triangles.without_repeats(), measure_cotangents(triangles).weights, notes);
+}
+
+Cover cover_of(const Mesh& triangles) {
+  return cover(triangles.without_repeats(), measure_cotangents(triangles).weights);
+}
+
 SparseMatrix stiffness(const PolygonSoup& soup) {
-  return intrinsic_delaunay_stiffness(make_mesh(soup)->triangulated());
+  return stiffness(make_mesh(soup)->triangulated());
 }
 
 Vector3 position(const PolygonSoup& soup, Index v) {
@@ -69,7 +80,7 @@ Eigen::VectorXd solve(const SparseMatrix& K, const std::vector<bool>& painted, c
 
 /// Every weight ≥ 0 and finite, symmetric, rows that sum to 0, and connected where faces connect.
 void expect_maximum_principle(const Mesh& mesh, const std::string& name) {
-  const SparseMatrix K = intrinsic_delaunay_stiffness(mesh);
+  const SparseMatrix K = stiffness(mesh);
   UnionFind by_weights(mesh.vertex_count()), by_faces(mesh.vertex_count());
   double largest = 0, asymmetry = 0;
   for (Index i = 0; i < K.rows(); ++i)
@@ -146,8 +157,12 @@ TEST(IntrinsicDelaunay, needles_and_what_has_shrunk_to_a_point_leave_seven_digit
     const auto mesh = make_mesh(soup);
     Eigen::VectorXd linear(mesh->vertex_count());
     for (Index v = 0; v < linear.size(); ++v) linear[v] = 1 + (position(soup, v).x + position(soup, v).y) / 48;
-    const Eigen::VectorXd field = solve(intrinsic_delaunay_stiffness(*mesh), border(*mesh), linear);
-    EXPECT_LE((field - linear).cwiseAbs().maxCoeff(), 1e-6) << "size " << size;
+    std::vector<Index> painted;
+    for (Index v = 0; v < mesh->vertex_count(); ++v)
+      if (border(*mesh)[at(v)]) painted.push_back(v);
+    HarmonicSolver solver(*mesh, {}, Laplacian::intrinsic_delaunay);
+    const Field field = solver.paint(painted, linear(painted));
+    EXPECT_LE((field.values.col(0) - linear).cwiseAbs().maxCoeff(), 1e-6) << "size " << size;
   }
 }
 
@@ -269,18 +284,18 @@ TEST(IntrinsicDelaunay, faces_that_come_twice_count_once) {
 TEST(IntrinsicDelaunay, only_a_surface_without_a_direction_needs_two_sheets) {
   PolygonSoup soup = makers::torus(7, 9);
   for (std::size_t face = 0; face < soup.faces.size(); face += 2) std::swap(soup.faces[face][0], soup.faces[face][1]);
-  EXPECT_EQ(cover(*make_mesh(soup)).sheets, 1);
+  EXPECT_EQ(cover_of(*make_mesh(soup)).sheets, 1);
   EXPECT_LE((Eigen::MatrixXd(stiffness(soup)) - Eigen::MatrixXd(stiffness(makers::torus(7, 9)))).cwiseAbs().maxCoeff(),
             1e-12);
   for (const PolygonSoup& twisted : {makers::moebius(9), makers::klein_bottle(6, 7), makers::book(3, 2)})
-    EXPECT_EQ(cover(make_mesh(twisted)->triangulated()).sheets, 2);
+    EXPECT_EQ(cover_of(make_mesh(twisted)->triangulated()).sheets, 2);
 }
 
 TEST(IntrinsicDelaunay, glued_sides_of_faces_around_an_edge_see_the_same_space) {
   for (const Index pages : {3, 4, 5, 12}) {
     PolygonSoup soup = triangles_of(makers::book(pages, 2));
     std::shuffle(soup.faces.begin(), soup.faces.end(), std::mt19937(static_cast<unsigned>(pages)));
-    const Cover sheets = cover(*make_mesh(soup));
+    const Cover sheets = cover_of(*make_mesh(soup));
     EXPECT_EQ(sheets.sheets, 2);
     const auto& half_edges = sheets.triangles.half_edges();
     Index glued = 0;
@@ -395,11 +410,46 @@ TEST(IntrinsicDelaunay, weights_are_never_negative_on_any_soup) {
     expect_maximum_principle(*make_mesh(random_soup(seed)), "seed " + std::to_string(seed));
 }
 
+TEST(IntrinsicDelaunay, flips_that_were_given_up_are_told_and_break_no_maximum_principle) {
+  const auto mesh = make_mesh(hilly_grid(30));
+  const auto field = [&] {
+    return HarmonicSolver(*mesh, {}, Laplacian::intrinsic_delaunay)
+        .paint(std::vector<Index>{0, 500}, Eigen::Vector2d(0, 1));
+  };
+  ASSERT_TRUE(field().report.warnings.empty());
+  flip_limit = 5;
+  const Stiffness stiffness = make_stiffness(*mesh, Laplacian::intrinsic_delaunay);
+  const Field stopped = field();
+  expect_maximum_principle(*mesh, "given up");
+  flip_limit = 0;
+  EXPECT_GT(stiffness.delaunay.unflipped, 1);
+  EXPECT_TRUE(stiffness.maximum_principle);
+  EXPECT_EQ(stopped.report.outside, 0);
+  ASSERT_EQ(stopped.report.warnings.size(), 1U);
+  const std::string told = "negative weights of " + std::to_string(stiffness.delaunay.unflipped) + " edges";
+  EXPECT_NE(stopped.report.warnings.front().find(told), std::string::npos) << stopped.report.warnings.front();
+}
+
+TEST(IntrinsicDelaunay, free_borders_opposite_to_very_obtuse_angles_are_counted_and_told) {
+  const auto triangle = [](double height) { return make_mesh({{0, 0, 0, 2, 0, 0, 1, height, 0}, {{0, 1, 2}}}); };
+  const auto mesh = triangle(0.4);
+  const std::vector<std::array<Index, 2>> first{{0, 1}};
+  EXPECT_EQ(make_stiffness(*mesh, Laplacian::intrinsic_delaunay).delaunay.obtuse, first);
+  EXPECT_TRUE(make_stiffness(*triangle(0.5), Laplacian::intrinsic_delaunay).delaunay.obtuse.empty()); // 127 degrees
+
+  HarmonicSolver solver(*mesh, {}, Laplacian::intrinsic_delaunay);
+  const Field field = solver.paint(std::vector<Index>{0, 2}, Eigen::Vector2d(0, 1));
+  ASSERT_EQ(field.report.warnings.size(), 1U);
+  EXPECT_TRUE(field.report.warnings.front().starts_with("1 border edge that is not painted"))
+      << field.report.warnings.front();
+  EXPECT_TRUE(solver.paint(std::vector<Index>{0, 1}, Eigen::Vector2d(0, 1)).report.warnings.empty());
+}
+
 TEST(IntrinsicDelaunay, is_the_same_whatever_the_thread_count) {
   const auto mesh = make_mesh(hilly_grid(150));
-  const SparseMatrix K = intrinsic_delaunay_stiffness(*mesh);
+  const SparseMatrix K = stiffness(*mesh);
   thread_limit = 1;
-  const SparseMatrix serial = intrinsic_delaunay_stiffness(*mesh);
+  const SparseMatrix serial = stiffness(*mesh);
   thread_limit = 0;
   ASSERT_EQ(serial.nonZeros(), K.nonZeros());
   EXPECT_TRUE(std::equal(K.valuePtr(), K.valuePtr() + K.nonZeros(), serial.valuePtr()));

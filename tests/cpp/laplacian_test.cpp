@@ -4,10 +4,15 @@
 #include <algorithm>
 
 #include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
+#include "dirichlet/error.h"
 #include "mesh_makers.h"
 #include "parallel.h"
+#include "refusal.h"
 
 namespace dirichlet {
 namespace {
@@ -101,19 +106,54 @@ TEST(Stiffness, is_the_same_whatever_the_number_of_threads) {
   }
 }
 
-TEST(Stiffness, counts_faces_without_area_and_names_the_first) {
-  auto soup = makers::grid(60, 60, false); // several threads' worth
+TEST(Stiffness, names_faces_by_their_number_among_all_though_repeats_are_left_out) {
+  auto soup = makers::grid(3, 3, false);
   const auto n = static_cast<Index>(soup.positions.size() / 3);
-  for (const double x : {-1.0, -2.0, -3.0, -4.0}) soup.positions.insert(soup.positions.end(), {x, 0, 0});
-  soup.faces.push_back(soup.faces.front()); // counts once, and does not shift the numbers of those after it
-  for (const std::vector<Index>& face : {std::vector{n, n + 1, n + 2, n + 3}, {n, n + 1, n + 2}, {n + 1, n + 2, n + 3}})
-    soup.faces.push_back(face);
-  for (const Laplacian laplacian : {Laplacian::cotangent, Laplacian::intrinsic_delaunay, Laplacian::polygon}) {
-    const Stiffness stiffness = make_stiffness(*make_mesh(soup), laplacian);
-    EXPECT_EQ(stiffness.flat_faces, 3);
-    EXPECT_EQ(stiffness.first_flat, 3601);
+  soup.faces.push_back(soup.faces.front());
+  for (const Index k : {0, 2, 4, 1, 3}) { // a pentagram
+    const double angle = 2 * std::numbers::pi * k / 5;
+    soup.positions.insert(soup.positions.end(), {std::cos(angle), std::sin(angle), 9});
   }
-  EXPECT_EQ(make_stiffness(*make_mesh(soup), Laplacian::graph).flat_faces, 0);
+  soup.faces.push_back({n, n + 1, n + 2, n + 3, n + 4});
+  EXPECT_REFUSED(make_stiffness(*make_mesh(soup), Laplacian::cotangent), TopologyError, "face 10 crosses itself");
+
+  soup = makers::grid(3, 3);
+  soup.faces.push_back(soup.faces.front());
+  soup.faces.emplace_back();
+  for (Index i = 0; i < 9000; ++i) {
+    soup.faces.back().push_back(static_cast<Index>(soup.positions.size() / 3));
+    soup.positions.insert(soup.positions.end(), {std::cos(1e-3 * i), std::sin(1e-3 * i), 9});
+  }
+  soup.faces.push_back({1, 2, 3});
+  EXPECT_REFUSED(make_stiffness(*make_mesh(soup), Laplacian::polygon), InputError, "face 19 with its 9000 corners",
+                 "beyond the 7000");
+}
+
+TEST(Stiffness, of_many_large_polygons_is_refused_by_the_pairs_that_all_make) {
+  makers::PolygonSoup soup; // one above the other
+  for (Index f = 0; f < 22; ++f) {
+    soup.faces.emplace_back();
+    for (Index i = 0; i < 7000; ++i) {
+      soup.faces.back().push_back(f * 7000 + i);
+      soup.positions.insert(soup.positions.end(), {std::cos(8e-4 * i), std::sin(8e-4 * i), 1.0 * f});
+    }
+  }
+  EXPECT_REFUSED(make_stiffness(*make_mesh(soup), Laplacian::polygon), InputError,
+                 "face 0 with its 7000 corners, make 538923000 pairs of corners", "there is memory for");
+}
+
+TEST(Laplacian, a_triangle_that_two_polygons_share_counts_once) {
+  const makers::PolygonSoup quads = makers::grid(3, 3, false);
+  for (const Laplacian laplacian : {Laplacian::cotangent, Laplacian::intrinsic_delaunay}) {
+    makers::PolygonSoup more = quads;
+    const std::vector<Index> quad = quads.faces[4];
+    more.faces.push_back({quad[0], quad[1], quad[2]});
+    more.faces.push_back({quad[3], quad[2], quad[0]}); // the other half, turned to the same side
+    const Stiffness once = make_stiffness(*make_mesh(quads), laplacian);
+    const Stiffness shared = make_stiffness(*make_mesh(more), laplacian);
+    EXPECT_LE((Eigen::MatrixXd(once.K) - Eigen::MatrixXd(shared.K)).cwiseAbs().maxCoeff(), 1e-13);
+    for (std::size_t v = 0; v < once.mass.size(); ++v) EXPECT_NEAR(shared.mass[v], once.mass[v], 1e-13);
+  }
 }
 
 } // namespace

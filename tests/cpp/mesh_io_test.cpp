@@ -25,6 +25,24 @@ TEST_F(MeshFile, files_that_are_no_mesh_are_refused_by_name) {
   EXPECT_REFUSED(read("a.stl", "solid a\nendsolid a\n"), InputError, "a.stl has no faces");
 }
 
+TEST_F(MeshFile, arrays_that_are_no_mesh_are_not_written) {
+  const std::vector<double> positions{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const auto write = [&](const std::string& ending, const std::vector<Index>& offsets,
+                         const std::vector<Index>& corners) {
+    write_mesh_file(folder_ / ("a." + ending), positions, offsets, corners);
+  };
+  for (const std::string ending : {"obj", "ply", "off", "stl"}) {
+    EXPECT_REFUSED(write(ending, {0, 3, 6}, {0, 1, 2, 0, 3, 7}), InputError, "face 1 names vertex 3", "1 more corner");
+    EXPECT_REFUSED(write(ending, {0, 3}, {0, 1, -1}), InputError, "face 0 names vertex -1");
+    EXPECT_REFUSED(write(ending, {0, 4, 3}, {0, 1, 2}), InputError, "descend at place 2");
+    EXPECT_REFUSED(write(ending, {1, 3}, {0, 1, 2}), InputError, "run from 1");
+    EXPECT_REFUSED(write(ending, {}, {}), InputError, "no faces");
+    EXPECT_REFUSED(write(ending, {0, 3, 5}, {0, 1, 2, 0, 1}), InputError, "face 1 has fewer than three corners");
+    EXPECT_REFUSED(write(ending, {0, 2, 5, 6}, {0, 1, 0, 1, 2, 0}), InputError, "face 0 has fewer", "1 more such face");
+  }
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
 /// As of a host that writes 1.234 for a thousand and more.
 struct Grouping : std::numpunct<char> {
   [[nodiscard]] char do_thousands_sep() const override { return '.'; }

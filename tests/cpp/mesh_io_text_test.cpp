@@ -98,6 +98,11 @@ TEST_F(MeshFile, a_number_too_small_for_a_double_is_zero_and_one_too_large_is_re
   EXPECT_REFUSED(read("a.obj", "v 1" + std::string(400, '0') + " 0 0\nf 1 1 1\n"), InputError, "line 1", "not finite");
 }
 
+TEST_F(MeshFile, coordinates_too_large_for_squares_are_refused_by_line_in_every_format) {
+  EXPECT_REFUSED(read("a.obj", kTriangle + "v 0 1e200 0\nf 1 2 3\n"), InputError, "a.obj, line 4", "beyond 1e150");
+  EXPECT_REFUSED(read("a.off", "OFF\n3 1 0\n0 0 0\n1 -1e200 0\n0 1 0\n3 0 1 2\n"), InputError, "line 4", "1e150");
+}
+
 TEST_F(MeshFile, numbers_that_are_not_finite_are_refused_in_every_format) {
   for (const std::string bad : {"nan", "inf", "-inf", "NaN"}) {
     EXPECT_REFUSED(read("a.obj", kTriangle + "v 0 " + bad + " 0\nf 1 2 3\n"), InputError, "line 4", "not finite");

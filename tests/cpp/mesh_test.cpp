@@ -154,6 +154,19 @@ TEST(Mesh, direct_repeats_of_a_corner_count_once) {
   EXPECT_EQ(mesh->face_count(), 2);
 }
 
+TEST(Mesh, faces_with_vertices_elsewhere_are_connected_as_before) {
+  const auto mesh = make_mesh(makers::torus(7, 5));
+  std::vector<double> elsewhere(mesh->positions().begin(), mesh->positions().end());
+  for (double& x : elsewhere) x = 3 - 2 * x;
+  const Mesh moved(*mesh, std::vector<double>(elsewhere));
+  EXPECT_TRUE(std::ranges::equal(moved.positions(), elsewhere));
+  EXPECT_TRUE(std::ranges::equal(moved.corners(), mesh->corners()));
+  EXPECT_EQ(moved.connectivity().edges, mesh->connectivity().edges);
+  EXPECT_EQ(moved.connectivity().opposite, mesh->connectivity().opposite);
+  elsewhere.resize(3);
+  EXPECT_THROW(Mesh(*mesh, std::move(elsewhere)), InputError);
+}
+
 TEST(Mesh, polygons_are_triangulated_over_the_same_vertices) {
   const auto mesh = make_mesh(makers::torus(6, 4, false));
   const Mesh& triangles = mesh->triangulated();

@@ -23,7 +23,7 @@ Sides sides_of(const Buffer<double>& lengths, Index face) {
 
 TEST(MollifiedSides, of_proper_triangles_are_their_lengths_and_do_not_depend_on_the_scale) {
   const auto soup = makers::grid(4, 3);
-  const Buffer<double> lengths = mollified_sides(*make_mesh(soup));
+  const Buffer<double> lengths = mollified_sides(*make_mesh(soup)).lengths;
   for (Index face = 0; face < 24; ++face) {
     Sides sides = sides_of(lengths, face);
     std::sort(sides.begin(), sides.end());
@@ -32,7 +32,7 @@ TEST(MollifiedSides, of_proper_triangles_are_their_lengths_and_do_not_depend_on_
   for (const int exponent : {-530, 490}) { // about 1e-160 and 1e147
     auto scaled = soup;
     for (double& x : scaled.positions) x = std::ldexp(x, exponent);
-    EXPECT_EQ(mollified_sides(*make_mesh(scaled)), lengths);
+    EXPECT_EQ(mollified_sides(*make_mesh(scaled)).lengths, lengths);
   }
 }
 
@@ -57,17 +57,17 @@ PolygonSoup damaged_grid(double size) {
 TEST(MollifiedSides, make_triangles_whatever_the_faces) {
   for (const double size : {1e-4, 1e-7, 1e-10, 1e-13, 1e-16, 1e-40, 1e-200, 0.0}) {
     const auto mesh = make_mesh(damaged_grid(size));
-    const Buffer<double> lengths = mollified_sides(*mesh);
+    const Buffer<double> lengths = mollified_sides(*mesh).lengths;
     for (Index face = 0; face < mesh->face_count(); ++face)
       for (const double cotangent : half_cotangents(sides_of(lengths, face)))
-        EXPECT_LE(std::abs(cotangent), 2e8) << "size " << size << ", face " << face;
+        EXPECT_LE(std::abs(cotangent), 2e13) << "size " << size << ", face " << face;
   }
 }
 
 TEST(MollifiedSides, differ_by_no_more_than_it_takes_and_only_where_it_takes) {
   const auto mesh = make_mesh(damaged_grid(0));
   const auto good = make_mesh(makers::grid(12, 12));
-  const Buffer<double> lengths = mollified_sides(*mesh);
+  const Buffer<double> lengths = mollified_sides(*mesh).lengths;
   std::map<std::pair<Index, Index>, double> of_edge;
   Index untouched = 0;
   for (Index c = 0; c + 3 < static_cast<Index>(lengths.size()); ++c) {

@@ -106,6 +106,7 @@ const std::vector<Index> kHeights{0, 1, 2, 3, 4, 5, 7, 8, 9, 11, 12, 13, 15, 16,
 template <class Real>
 class SolverKernels : public testing::Test {
  protected:
+  static constexpr Real* kNone = nullptr;
   static constexpr double kEpsilon = std::numeric_limits<Real>::epsilon();
   template <class F>
   void for_sets(const F& f) {
@@ -125,7 +126,7 @@ TYPED_TEST(SolverKernels, factor_a_panel_like_plain_loops) {
         for (const Index gap : {0, 3}) {
           Matrix<TypeParam> A = random_panel<TypeParam>(w + r, w, gap);
           const Matrix<double> L = plain_factor(A);
-          ASSERT_EQ(kernels.factor_panel(A.entry.data(), A.rows, w, A.ld), w);
+          ASSERT_EQ(kernels.factor_panel(A.entry.data(), A.rows, w, A.ld, nullptr), w);
           expect_lower(A, L, 16 * this->kEpsilon * std::sqrt(w + r + 1), "panel");
         }
   });
@@ -141,7 +142,7 @@ TYPED_TEST(SolverKernels, name_the_first_pivot_that_is_not_a_positive_normal_num
           Matrix<TypeParam> A = random_panel<TypeParam>(w + 5, w, 0);
           for (Index j = 0; j < bad; ++j) A(bad, j) = 0; // nothing is subtracted from the bad pivot
           for (Index j = bad; j < w; ++j) A(j, j) = pivot;
-          EXPECT_EQ(factor_panel(kernels, A.entry.data(), A.rows, w, A.ld, 1, serially), bad);
+          EXPECT_EQ(factor_panel(kernels, A.entry.data(), A.rows, w, A.ld, this->kNone, 1, serially), bad);
         }
   });
 }
@@ -150,7 +151,7 @@ TYPED_TEST(SolverKernels, find_an_indefinite_panel_that_has_a_positive_diagonal)
   this->for_sets([](const auto& kernels) {
     Matrix<TypeParam> A = random_panel<TypeParam>(30, 20, 0);
     A(17, 11) = 100;
-    EXPECT_EQ(kernels.factor_panel(A.entry.data(), A.rows, A.columns, A.ld), 17);
+    EXPECT_EQ(kernels.factor_panel(A.entry.data(), A.rows, A.columns, A.ld, nullptr), 17);
   });
 }
 
@@ -217,11 +218,12 @@ TYPED_TEST(SolverKernels, factor_wide_panels_with_the_same_bits_in_any_number_of
       const Index m = size.first, w = size.second;
       const Matrix<TypeParam> A = random_panel<TypeParam>(m, w, 1);
       Matrix<TypeParam> one = A;
-      ASSERT_EQ(factor_panel(kernels, one.entry.data(), m, w, one.ld, 1, serially), w);
+      ASSERT_EQ(factor_panel(kernels, one.entry.data(), m, w, one.ld, this->kNone, 1, serially), w);
       expect_lower(one, plain_factor(A), 32 * this->kEpsilon * std::sqrt(m), "wide panel");
       for (const Index pieces : {2, 3, 8}) {
         Matrix<TypeParam> several = A;
-        ASSERT_EQ(factor_panel(kernels, several.entry.data(), m, w, one.ld, pieces, backwards_in_threads), w);
+        ASSERT_EQ(factor_panel(kernels, several.entry.data(), m, w, one.ld, this->kNone, pieces, backwards_in_threads),
+                  w);
         expect_lower(several, one, 0, "shared panel");
       }
     });
@@ -282,17 +284,25 @@ TEST(CutTriangle, gives_pieces_of_about_the_same_area) {
     }
 }
 
+void set_environment(const char* variable, const char* value) {
+#ifdef _WIN32
+  _putenv_s(variable, value);
+#else
+  setenv(variable, value, 1);
+#endif
+}
+
 TEST(InstructionSets, are_limited_by_the_environment_which_has_to_name_one) {
   constexpr const char* kVariable = "DIRICHLET_INSTRUCTION_SET";
   const char* const found = std::getenv(kVariable);
   const std::string before = found != nullptr ? found : "";
-  setenv(kVariable, "baseline", 1);
+  set_environment(kVariable, "baseline");
   EXPECT_EQ(best_instruction_set(), InstructionSet::baseline);
-  setenv(kVariable, "avx512", 1);
+  set_environment(kVariable, "avx512");
   EXPECT_EQ(best_instruction_set(), supported_sets().back());
-  setenv(kVariable, "AVX9", 1);
+  set_environment(kVariable, "AVX9");
   EXPECT_THROW(best_instruction_set(), InputError);
-  setenv(kVariable, before.c_str(), 1);
+  set_environment(kVariable, before.c_str());
   EXPECT_TRUE(is_supported(best_instruction_set()));
 }
 

@@ -30,7 +30,7 @@ struct Torus {
   std::vector<double> solve() const {
     Mask fixed(symbolic->order.size(), 0);
     fixed[0] = 1;
-    Factor<double> factor(symbolic, matrix, kPlenty);
+    Factor<double> factor(symbolic, matrix, Pivots::subtracted, kPlenty);
     factor.factor(fixed);
     std::vector<double> x(fixed.size(), 1);
     factor.solve(x, 1);
@@ -43,7 +43,7 @@ TEST(FactorMemory, is_known_before_it_is_allocated) {
   for (const std::int64_t most_kept : {std::int64_t{0}, kPlenty}) {
     const std::int64_t told = Factor<float>::bytes_needed(*torus.symbolic, torus.K.nonZeros(), most_kept);
     const std::int64_t before = bytes_asked_for();
-    const Factor<float> factor(torus.symbolic, torus.matrix, most_kept);
+    const Factor<float> factor(torus.symbolic, torus.matrix, Pivots::subtracted, most_kept);
     const std::int64_t asked_for = bytes_asked_for() - before; // with what is only used while it is set up
     EXPECT_EQ(factor.bytes(), told);
     const std::int64_t known = 8 * torus.symbolic->size() + 4 * std::int64_t(torus.symbolic->rows.size()) +

@@ -4,6 +4,8 @@
 // To the letters of add_surface, damage and paint come
 //   !  paints what there is    -  wipes all    .  wipes the last    y x  other values, the vertices as they are
 //   c  cancels the next one    w n  columns    L n  Laplacian
+#include <cstring>
+#include <memory>
 #include <optional>
 
 #include "damage.h"

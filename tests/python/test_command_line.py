@@ -166,7 +166,7 @@ def test_the_report_holds_everything():
     lines = isolines(mesh, field.values, even_levels(0, 1, 3))
     assert report["mesh"] == {
         "vertices": 110, "edges": 324, "faces": 216, "components": 1, "border_loops": 0,
-        "repeated_faces": 0, "flat_faces": 0, "coincident_vertices": 0,
+        "repeated_faces": 0, "flat_faces": 0, "crossing_faces": 0, "coincident_vertices": 0,
     }  # fmt: skip
     assert [(patch["name"], patch["value"]) for patch in report["patches"]] == [
         ("north", 1), ("south", 0), ("nobody", 3)

@@ -45,6 +45,23 @@ def test_positions_of_any_layout_hold_the_same_numbers(positions):
     assert_array_equal(Mesh(positions, FACES).positions, SPHERE.positions.astype(np.float32))
 
 
+@pytest.mark.parametrize("name", ZOO)
+def test_a_mesh_that_moved_is_the_one_made_of_its_positions(name):
+    soup = ZOO[name]
+    mesh, elsewhere = soup.mesh(), soup.positions[:, ::-1] * 2 + 1
+    moved, made = mesh.moved(elsewhere), Soup(elsewhere, soup.faces).mesh()
+    for array in ("positions", "offsets", "corners", "edges", "triangles"):
+        assert_array_equal(getattr(moved, array), getattr(made, array))
+    assert_array_equal(mesh.positions, soup.positions)
+
+
+def test_a_mesh_moves_to_finite_positions_of_its_own_vertices_alone():
+    mesh, beyond = SPHERE.mesh(), SPHERE.positions.copy()
+    assert "positions" in refusal(InputError, mesh.moved, SPHERE.positions[1:])
+    beyond[3, 1] = np.nan
+    assert "vertex 3 has the coordinate nan" in refusal(InputError, mesh.moved, beyond)
+
+
 def test_faces_of_any_layout_make_the_same_mesh():
     for faces in (np.asfortranarray(FACES), np.repeat(FACES, 2, axis=0)[::2], FACES.tolist(), FACES[:, ::-1][:, ::-1]):
         assert_array_equal(Mesh(SPHERE.positions, faces).corners, FACES.ravel())

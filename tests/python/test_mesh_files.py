@@ -4,10 +4,9 @@
 import numpy as np
 import pytest
 from dirichlet_surface import DirichletError, read_mesh, write_mesh
+from file_texts import OBJ, PLY
 from mesh_makers import grid, joined, sphere, tetrahedron
 from numpy.testing import assert_allclose, assert_array_equal
-
-TRIANGLE_OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
 
 def written(folder, name: str, content: str | bytes):
@@ -43,7 +42,7 @@ def test_an_stl_file_comes_back_with_its_corners_joined(tmp_path):
 
 def test_pieces_and_lone_vertices_survive(tmp_path):
     soup = joined(tetrahedron(), tetrahedron())
-    path = written(tmp_path, "lone.obj", TRIANGLE_OBJ.replace("f 1", "v 9 9 9\nf 1"))
+    path = written(tmp_path, "lone.obj", OBJ.replace("f 1", "v 9 9 9\nf 1"))
     assert read_mesh(path).vertex_count == 4
     write_mesh(tmp_path / "two.off", soup.mesh())
     assert read_mesh(tmp_path / "two.off").components()[1] == 2
@@ -52,13 +51,13 @@ def test_pieces_and_lone_vertices_survive(tmp_path):
 @pytest.mark.parametrize(
     "text",
     [
-        TRIANGLE_OBJ.replace("\n", "\r\n"),
-        "\ufeff" + TRIANGLE_OBJ,
-        "# a comment\n\n" + TRIANGLE_OBJ,
-        "f 1 2 3\n" + TRIANGLE_OBJ.replace("f 1 2 3\n", ""),
-        TRIANGLE_OBJ.replace("f 1 2 3", "f -3 -2 -1"),
-        TRIANGLE_OBJ.replace("f 1 2 3", "f 1/1 2/2 3/3") + "vt 0 0\n" * 3,
-        TRIANGLE_OBJ.replace("f 1 2 3", "f 1 2 3 3"),
+        OBJ.replace("\n", "\r\n"),
+        "\ufeff" + OBJ,
+        "# a comment\n\n" + OBJ,
+        "f 1 2 3\n" + OBJ.replace("f 1 2 3\n", ""),
+        OBJ.replace("f 1 2 3", "f -3 -2 -1"),
+        OBJ.replace("f 1 2 3", "f 1/1 2/2 3/3") + "vt 0 0\n" * 3,
+        OBJ.replace("f 1 2 3", "f 1 2 3 3"),
     ],
     ids=["CRLF", "BOM", "comments", "faces first", "negative indices", "texture indices", "repeated corner"],
 )
@@ -76,7 +75,7 @@ def test_a_file_that_is_no_mesh_is_refused(tmp_path, ending, content):
 
 @pytest.mark.parametrize("name", ["mesh.xyz", "mesh", "mesh.obj.gz"])
 def test_an_unknown_ending_is_refused(tmp_path, name):
-    refusal(written(tmp_path, name, TRIANGLE_OBJ))
+    refusal(written(tmp_path, name, OBJ))
 
 
 def test_a_missing_file_and_a_folder_are_refused(tmp_path):
@@ -88,13 +87,13 @@ def test_a_missing_file_and_a_folder_are_refused(tmp_path):
 @pytest.mark.parametrize(
     ("text", "line"),
     [
-        (TRIANGLE_OBJ.replace("v 1 0 0", "v 1 zero 0"), 2),
-        (TRIANGLE_OBJ.replace("v 1 0 0", "v 1 0"), 2),
-        (TRIANGLE_OBJ.replace("f 1 2 3", "f 1 2 4"), 4),
-        (TRIANGLE_OBJ.replace("f 1 2 3", "f 1 2 -4"), 4),
-        (TRIANGLE_OBJ.replace("f 1 2 3", "f 0 1 2"), 4),
-        (TRIANGLE_OBJ.replace("f 1 2 3", "f 1 2 x"), 4),
-        (TRIANGLE_OBJ.replace("f 1 2 3", "f 1 2 4294967299"), 4),
+        (OBJ.replace("v 1 0 0", "v 1 zero 0"), 2),
+        (OBJ.replace("v 1 0 0", "v 1 0"), 2),
+        (OBJ.replace("f 1 2 3", "f 1 2 4"), 4),
+        (OBJ.replace("f 1 2 3", "f 1 2 -4"), 4),
+        (OBJ.replace("f 1 2 3", "f 0 1 2"), 4),
+        (OBJ.replace("f 1 2 3", "f 1 2 x"), 4),
+        (OBJ.replace("f 1 2 3", "f 1 2 4294967299"), 4),
     ],
 )
 def test_a_damaged_obj_file_is_refused_by_line(tmp_path, text, line):
@@ -103,34 +102,19 @@ def test_a_damaged_obj_file_is_refused_by_line(tmp_path, text, line):
 
 @pytest.mark.parametrize("bad", ["nan", "inf", "-inf", "1e200"])
 def test_a_coordinate_out_of_reach_is_refused_by_place(tmp_path, bad):
-    path = written(tmp_path, "bad.obj", TRIANGLE_OBJ.replace("v 1 0 0", f"v 1 {bad} 0"))
+    path = written(tmp_path, "bad.obj", OBJ.replace("v 1 0 0", f"v 1 {bad} 0"))
     with pytest.raises(DirichletError, match=r"line 2|vertex 1"):
         read_mesh(path)
 
 
-PLY = """ply
-format ascii 1.0
-element vertex {vertices}
-property float x
-property float y
-property float z
-element face {faces}
-property list uchar int vertex_indices
-end_header
-0 0 0
-1 0 0
-0 1 0
-3 0 1 2
-"""
-
-
 def test_a_ply_text_file_is_read(tmp_path):
-    assert read_mesh(written(tmp_path, "fine.ply", PLY.format(vertices=3, faces=1))).face_count == 1
+    assert read_mesh(written(tmp_path, "fine.ply", PLY)).face_count == 1
 
 
 @pytest.mark.parametrize(("vertices", "faces"), [(10**11, 1), (3, 10**11), (4, 1), (3, 2), (-1, 1), ("many", 1)])
 def test_a_header_that_promises_too_much_is_refused_without_the_memory(tmp_path, vertices, faces):
-    refusal(written(tmp_path, "greedy.ply", PLY.format(vertices=vertices, faces=faces)))
+    lie = PLY.replace("vertex 3", f"vertex {vertices}").replace("face 1", f"face {faces}")
+    refusal(written(tmp_path, "greedy.ply", lie))
 
 
 @pytest.mark.parametrize("ending", [".ply", ".off", ".stl"])

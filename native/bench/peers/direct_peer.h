@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 
@@ -24,7 +25,7 @@ std::unique_ptr<DirectPeer> make_eigen_peer(); ///< SimplicialLDLT, approximate 
 /// the last painting where others start over.
 std::unique_ptr<DirectPeer> make_ours_peer(const SparseMatrix& lower);
 
-enum class CholmodOrdering { amd, metis };
+enum class CholmodOrdering : std::uint8_t { amd, metis };
 std::unique_ptr<DirectPeer> make_cholmod_peer(CholmodOrdering ordering); ///< supernodal
 
 } // namespace peers

@@ -26,7 +26,7 @@ int run(char** words) {
   const std::string name = words[1];
   const std::filesystem::path scene = words[2];
   const std::filesystem::path field = words[3];
-  const Recorder recorder(std::atoi(words[4]), std::atof(words[5]));
+  const Recorder recorder(std::stoi(words[4]), std::stod(words[5]));
   const auto peers = direct_peers();
   if (name == "openmesh") {
     run_openmesh_course(scene, recorder);

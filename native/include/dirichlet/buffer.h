@@ -18,13 +18,13 @@ void prefer_large_pages(void* memory, std::size_t bytes);
 template <class T>
 struct BufferAllocator : std::allocator<T> {
   template <class U>
-  struct rebind {
+  struct rebind { // NOLINT(readability-identifier-naming): so named by the standard
     using other = BufferAllocator<U>;
   };
 
   BufferAllocator() = default;
   template <class U>
-  BufferAllocator(const BufferAllocator<U>& /*other*/) noexcept {}
+  BufferAllocator(const BufferAllocator<U>& /*other*/) noexcept {} // NOLINT(google-explicit-constructor): as asked for
 
   [[nodiscard]] T* allocate(std::size_t count) {
     T* const memory = std::allocator<T>::allocate(count);

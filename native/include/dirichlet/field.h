@@ -37,7 +37,7 @@ struct SolveReport {
   std::int64_t nonzeros = 0;        ///< of the square matrix, the same for every painting
   std::int64_t factor_nonzeros = 0; ///< numbers stored for the factor; 0 for an iterative method
   Index iterations = 0;             ///< 0 for a direct method in float64
-  double relative_residual = 0;     ///< ‖rhs − Kφ‖ / ‖rhs‖ over the free vertices, the worst column
+  double relative_residual = 0;     ///< see HarmonicSolver
   double minimum = 0;               ///< of the defined values
   double maximum = 0;
   double painted_minimum = 0;
@@ -72,8 +72,15 @@ struct Outside;
 ///
 /// Without a source an operator of a maximum principle (graph and intrinsic Delaunay always, the others where no weight
 /// is negative) keeps every field in the range painted at the rim of its region; what rounding leaves outside is
-/// projected onto it and counted in the report. Where there is no such principle nothing is moved: the report counts
-/// what lies outside and warns.
+/// projected onto it, and counted in the report where it is more than the last digits. Where there is no such principle
+/// nothing is moved: the report counts what lies outside and warns.
+///
+/// The relative residual is that of the symmetric twin, ‖s − Kφ‖ / ‖b‖ over the free vertices in the worst column: what
+/// is left of the differences to their neighbours, times weights and with the source s; b is what the source and
+/// painted neighbours give them (see injection.h). A direct method in float64, where no weight is negative, has
+/// each column of φ right to its last digits even where weights differ enormously: there a row counts only as far as it
+/// exceeds 8 ε max|φ| Σ_j |K_ij|, which rounding of φ alone may leave. Other methods are not spared: where weights
+/// differ as much, their residual tells of their error, which may be a hundred times as large.
 ///
 /// May be used from several threads: a `paint` waits for the `solve`s that run, and they for it.
 class HarmonicSolver {
@@ -114,7 +121,7 @@ class HarmonicSolver {
  private:
   using Repeats = std::vector<std::array<Index, 2>>;
   void repaint(std::span<const Index> painted, Repeats repeats);
-  void describe(const Stiffness& stiffness, Defects defects);
+  void describe(const Stiffness& stiffness, const Defects& defects);
   void report_painting();
   void report_outside(const Outside& outside, SolveReport& report) const;
   [[nodiscard]] Field unchanged();
@@ -130,11 +137,12 @@ class HarmonicSolver {
   std::vector<double> mass_;    ///< (V,) of every vertex
   bool maximum_principle_ = true;
   std::unique_ptr<FixedRows> rows_;
-  std::unique_ptr<RegionSearch> regions_;  ///< of the free rows
-  std::vector<Index> painted_;             ///< as given; empty while nothing is painted
-  Repeats repeats_;                        ///< places of painted_ that name a vertex again, and where it stood first
-  std::vector<std::string> mesh_warnings_; ///< for every report
-  SolveReport base_;                       ///< what does not depend on the values
+  std::unique_ptr<RegionSearch> regions_;    ///< of the free rows
+  std::vector<Index> painted_;               ///< as given; empty while nothing is painted
+  Repeats repeats_;                          ///< places of painted_ that name a vertex again, and where it stood first
+  std::vector<std::string> mesh_warnings_;   ///< for every report
+  std::vector<std::array<Index, 2>> obtuse_; ///< see DelaunayNotes
+  SolveReport base_;                         ///< what does not depend on the values
 
   // The last painting, to tell what changed.
   Eigen::MatrixXd values_;

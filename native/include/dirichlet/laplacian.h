@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -26,6 +27,17 @@ enum class Laplacian : std::uint8_t {
   polygon,            ///< finite elements on quads and n-gons, of which no diagonal is preferred
 };
 
+/// Where intrinsic_delaunay is less than its name says. The maximum principle holds all the same.
+struct DelaunayNotes {
+  Index thickened = 0; ///< triangles taken as thicker than they are, and not flat
+  Index unflipped = 0; ///< edges whose negative weight counts as none, since flips would have taken too long
+  /// Edges of a border opposite to more than 135 degrees, ascending. A border's negative weights count as none, and
+  /// theirs would be beyond -1/2, as much as an edge between two good triangles has.
+  std::vector<std::array<Index, 2>> obtuse;
+
+  [[nodiscard]] std::vector<std::string> warnings() const; ///< of thickened and unflipped, one sentence each
+};
+
 /// The two matrices of an operator, and what is to be known about them.
 struct Stiffness {
   Laplacian laplacian = Laplacian::graph; ///< never automatic
@@ -34,11 +46,11 @@ struct Stiffness {
   std::vector<double> mass; ///< (V,) >= 0, the lumped one; 0 at an isolated vertex
   /// Whether no weight is negative, beyond rounding: harmonic fields then stay in the painted range.
   bool maximum_principle = true;
-  Index flat_faces = 0; ///< faces without an area, as far as their rounded coordinates can tell; 0 for the graph
-  Index first_flat = -1;
+  DelaunayNotes delaunay;
 };
 
-/// Any operator of a mesh, in which repeated faces count once.
+/// Any operator of a mesh, in which repeated faces count once; so do triangles that polygons share once they are split,
+/// as a quad and its half do, in the two operators of triangles.
 ///
 /// graph: K = D − A and mass D, from polygon edges alone; see graph_stiffness.
 /// cotangent: of Mesh::triangulated(). A weight is half the cotangents opposite to the edge, a mass a third of the
@@ -52,8 +64,10 @@ struct Stiffness {
 /// automatic: the cotangent or, for polygons of few corners, the polygon Laplacian where it has a maximum principle;
 ///   else intrinsic_delaunay; the graph where no face has an area or one has no triangulation.
 ///
-/// Coordinates may have any scale and offset. A triangle without height, or of a height below 1.5e-8 of its longest
-/// edge, counts as one of that height: a weight beyond its inverse would drown its neighbours in rounding.
+/// Coordinates may have any scale and offset. A triangle without height, or of a height below 6e-14 of its longest
+/// edge (1.5e-8 where its foot is in the middle), counts as one of that height. Intrinsic_delaunay takes triangles with
+/// an angle within 5e-7 of π as thicker, and counts them; of wider ones, two on one long edge with heights of h of it
+/// are flipped to about 1e-16 / h².
 ///
 /// \throws InputError     no face has an area, and the operator asked for needs one; polygons whose blocks are too many
 /// \throws TopologyError  a polygon that has no triangulation, if one is needed

@@ -3,13 +3,12 @@
 
 #include <array>
 #include <memory>
-#include <mutex>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "dirichlet/array.h"
 #include "dirichlet/buffer.h"
+#include "dirichlet/lazy.h"
 
 namespace dirichlet {
 
@@ -56,6 +55,12 @@ class Mesh {
   /// Faces of one size: (F, corners_per_face). Else as above.
   Mesh(SharedArray<double> positions, std::span<const Index> corners, Index corners_per_face);
 
+  /// The faces of another mesh with their vertices elsewhere, for surfaces that move.
+  /// \param positions  (V, 3) as above, of as many vertices.
+  /// \throws InputError  another number of vertices, a number that is not finite
+  /// Cost: O(V + C), copies alone.
+  Mesh(const Mesh& faces, SharedArray<double> positions);
+
   Mesh(const Mesh&) = delete;
   Mesh& operator=(const Mesh&) = delete;
 
@@ -83,6 +88,20 @@ class Mesh {
   /// vertices and edges, made at the first call and kept.
   [[nodiscard]] const Mesh& without_repeats() const;
 
+  /// The same but for repeats at a border, which stay: lines that reach one go over the border and back on it, as they
+  /// do on any two faces, and at the sides of the others every line would end.
+  [[nodiscard]] const Mesh& without_inner_repeats() const;
+
+  /// The number of a face in the mesh that repeats were left out of, by which its maker knows it; else its own.
+  [[nodiscard]] Index number_with_repeats(Index face) const;
+
+  /// Of faces, ascending, those that repeat no other.
+  [[nodiscard]] std::vector<Index> each_once(std::span<const Index> faces) const;
+
+  /// Faces without an area, ascending; of repeated ones the first. All their corners lie on one line, as far as rounded
+  /// coordinates can tell. Found at the first call and kept.
+  [[nodiscard]] std::span<const Index> flat_faces() const;
+
   /// The corners at every vertex, ascending: what a walk over the surface needs, and nothing else. Made at the first
   /// call and kept.
   [[nodiscard]] const Groups& corners_by_vertex() const;
@@ -92,7 +111,9 @@ class Mesh {
   [[nodiscard]] double build_seconds() const { return build_seconds_; } ///< wall time of validation and connectivity
 
  private:
+  Mesh(const Mesh& whole, std::vector<Index> left_out);
   void build(Buffer<Index> offsets, std::span<const Index> corners);
+  [[nodiscard]] std::unique_ptr<const Mesh> leave_out(std::vector<Index> faces) const;
 
   SharedArray<double> positions_;
   Buffer<Index> offsets_;
@@ -100,14 +121,13 @@ class Mesh {
   Connectivity connectivity_;
   bool triangular_ = false;
   double build_seconds_ = 0;
-  mutable std::once_flag triangulate_once_;
-  mutable std::unique_ptr<const Mesh> triangulated_;
-  mutable std::once_flag find_repeats_once_;
-  mutable std::vector<std::array<Index, 2>> repeated_faces_;
-  mutable std::once_flag leave_out_repeats_once_;
-  mutable std::unique_ptr<const Mesh> without_repeats_;
-  mutable std::once_flag group_corners_once_;
-  mutable std::shared_ptr<const Groups> corners_by_vertex_;
+  std::vector<Index> left_out_; ///< repeats of the mesh that this one was made of, ascending
+  Lazy<std::unique_ptr<const Mesh>> triangulated_;
+  Lazy<std::vector<std::array<Index, 2>>> repeated_faces_;
+  Lazy<std::unique_ptr<const Mesh>> without_repeats_;
+  Lazy<std::unique_ptr<const Mesh>> without_inner_repeats_;
+  Lazy<std::vector<Index>> flat_faces_;
+  Lazy<std::shared_ptr<const Groups>> corners_by_vertex_;
 };
 
 } // namespace dirichlet

@@ -51,6 +51,8 @@ struct SolverStatistics {
   std::int64_t factor_nonzeros = 0; ///< numbers stored for L; 0 for an iterative method
   std::int64_t factor_bytes = 0;    ///< that the factor needs, what makes strokes quick not counted; 0 as above
   double analysis_seconds = 0;      ///< ordering and symbolic analysis, once per matrix
+  bool sums_pivots = false;         ///< weights differ much in size, and the factor is as exact as they are
+  bool weak_links = false; ///< parts hang together by weights 1e-8 of others, and the method loses their digits
 };
 
 /// One way to solve the injected system. Made once per stiffness matrix; then masks come and go, and every mask serves
@@ -82,7 +84,8 @@ class Solver {
 
 /// \param K  (n, n) symmetric, positive definite on the free rows once a mask is injected; used up.
 /// \throws InputError   an option out of its range
-/// \throws SolverError  memory was denied
+/// \throws SolverError  memory was denied; weights 1e13 times others, of which only the direct method in float64 keeps
+///                      all digits
 /// Cost: direct O(n^1.5) on surfaces, memory O(n log n); multigrid O(n); least squares O(n) per step.
 std::unique_ptr<Solver> make_solver(SparseMatrix&& K, const SolverOptions& options);
 

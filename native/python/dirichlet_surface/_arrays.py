@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What callers pass, as the exact arrays the compiled module takes; no copy where type and layout already fit."""
 
+from __future__ import annotations
+
 import operator
 from collections.abc import Iterable
 from typing import Any

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,10 @@ class SolverError(DirichletError): ...
 class CancelledError(SolverError): ...
 
 class Mesh:
+    @overload
     def __init__(self, positions: _Reals, offsets: _Indices, corners: _Indices = ...) -> None: ...
+    @overload
+    def __init__(self, faces: Mesh, positions: _Reals) -> None: ...
     @property
     def vertex_count(self) -> int: ...
     @property

@@ -82,11 +82,14 @@ def choose_levels(args: argparse.Namespace, mesh: Mesh, values: NDArray[np.float
             raise InputError("--window goes with --isolines or --step")
         return np.array(args.levels or [level_through_point(mesh, values, args.through)])
     low, high = args.window or (np.nanmin(values), np.nanmax(values))
-    if args.window is None and low == high:
-        return np.empty(0)
+    constant = args.window is None and low == high
+    if constant:  # levels are checked all the same, in a window that any step fits into
+        low, high = 0.0, np.finfo(float).tiny
     if args.step is not None:
-        return stepped_levels(low, high, args.step, args.phase or 0.0)
-    return even_levels(low, high, 10 if args.isolines is None else args.isolines)
+        levels = stepped_levels(low, high, args.step, args.phase or 0.0)
+    else:
+        levels = even_levels(low, high, 10 if args.isolines is None else args.isolines)
+    return levels[:0] if constant else levels
 
 
 def write_outputs(
@@ -126,6 +129,7 @@ def make_report(
             "border_loops": len(mesh.border_loops()[0]) - 1,
             "repeated_faces": defects.repeated_faces,
             "flat_faces": defects.flat_faces,
+            "crossing_faces": defects.crossing_faces,
             "coincident_vertices": defects.coincident_vertices,
         },
         "patches": [

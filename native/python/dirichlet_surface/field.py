@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Harmonic fields: Laplace's (or Poisson's) equation with values injected on painted vertices."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -53,7 +55,8 @@ class SolveReport:
     painted_maximum: float
     outside: int
     """values outside the painted range of their region (looked for without a source). With a Laplacian that keeps the
-    range, rounding left them there and they were projected onto it; else they stay, and a warning says so"""
+    range, those by more than 64 ulp, where rounding left them: all are moved into it; else they stay, and a warning
+    says so"""
     farthest_outside: float
     undefined: int
     """vertices of pieces without paint: NaN"""

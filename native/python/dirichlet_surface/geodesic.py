@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Distances along a surface."""
 
+from __future__ import annotations
+
 import operator
 
 from numpy.typing import ArrayLike

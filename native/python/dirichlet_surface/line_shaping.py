@@ -6,6 +6,8 @@ InputError for numbers out of range and for lines whose arrays do not fit togeth
 long takes a CancelToken `cancel` by which another thread may stop it: CancelledError.
 """
 
+from __future__ import annotations
+
 import operator
 from dataclasses import replace
 from typing import Any

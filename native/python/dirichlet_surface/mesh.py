@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Polygon meshes: from arrays, from files, and what there is to ask of them."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -43,6 +45,15 @@ class Mesh(_native.Mesh):
             require_shape(corners, (None, None), "faces")
             super().__init__(points, corners)
 
+    def moved(self, positions: ArrayLike) -> Mesh:
+        """The same faces with the vertices elsewhere, (V, 3), as of a surface that is animated: their connectivity is
+        copied, not found again. Raises InputError for another number of vertices, or a number that is not finite."""
+        points = as_reals(positions, "positions")
+        require_shape(points, (self.vertex_count, 3), "positions")
+        mesh = Mesh.__new__(Mesh)
+        _native.Mesh.__init__(mesh, self, points)
+        return mesh
+
     def __repr__(self) -> str:
         return f"Mesh({self.vertex_count} vertices, {self.edge_count} edges, {self.face_count} faces)"
 
@@ -69,9 +80,11 @@ class Defects:
     repeated_faces: int
     """round the same vertices as an earlier face; they count once"""
     flat_faces: int
-    """whose area is exactly zero"""
+    """without an area, as far as rounded coordinates can tell"""
+    crossing_faces: int
+    """quads, and polygons thinner than 1e-5, that cross themselves: their triangles lie on each other"""
     coincident_vertices: int
-    """on a border, exactly where an earlier vertex of a border is: a seam that was never joined"""
+    """on a border, exactly where an earlier vertex of a border is, and not joined to it"""
     warnings: tuple[str, ...]
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The matrices behind a field: stiffness K, lumped mass and the paper's square matrix, of any Laplacian."""
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 import numpy as np

@@ -75,17 +75,22 @@ Index mirrored(Index c) {
   return c + 2 - 2 * (c % 3);
 }
 
-/// Every face with its lengths and angles, its sides not yet glued.
-Buffer<HalfEdge> make_front(const Mesh& mesh) {
-  const Buffer<double> lengths = mollified_sides(mesh);
+/// Every face with its angles, its sides not yet glued. They are those in space wherever lengths are, which of thin
+/// triangles would tell them with fewer digits.
+Buffer<HalfEdge> make_front(const Mesh& mesh, std::span<const double> in_space, const SideLengths& sides) {
   const std::span<const Index> corners = mesh.corners();
+  const auto is_lengthened = [&](std::size_t face) {
+    return !sides.lengthened.empty() && std::any_of(&corners[3 * face], &corners[3 * face] + 3,
+                                                    [&](Index v) { return sides.lengthened[at(v)] != 0; });
+  };
   Buffer<HalfEdge> front(corners.size());
   parallel_chunks(at(mesh.face_count()), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t face = begin; face < end; ++face) {
-      const Sides sides{lengths[3 * face], lengths[3 * face + 1], lengths[3 * face + 2]};
-      const Sides half_cotangent = half_cotangents(sides);
-      for (std::size_t k = 0; k < 3; ++k)
-        front[3 * face + k] = {kBorder, corners[3 * face + k], sides[k], half_cotangent[k]};
+      const double* const angle = &in_space[3 * face];
+      const double* const length = &sides.lengths[3 * face];
+      const Sides half_cotangent = is_lengthened(face) ? half_cotangents({length[0], length[1], length[2]})
+                                                       : Sides{angle[0], angle[1], angle[2]};
+      for (std::size_t k = 0; k < 3; ++k) front[3 * face + k] = {kBorder, corners[3 * face + k], half_cotangent[k]};
     }
   });
   return front;
@@ -167,7 +172,8 @@ class Fans {
 /// Front and back of every face.
 class TwoSheets {
  public:
-  explicit TwoSheets(const Mesh& mesh) : corners_(mesh.corners()), half_edges_(make_front(mesh)) {
+  TwoSheets(const Mesh& mesh, std::span<const double> in_space, const SideLengths& sides)
+      : corners_(mesh.corners()), half_edges_(make_front(mesh, in_space, sides)) {
     Fans fans(mesh);
     remove(fans.repeated_faces());
     add_back();
@@ -187,8 +193,6 @@ class TwoSheets {
   [[nodiscard]] Buffer<HalfEdge> half_edges() && { return std::move(half_edges_); }
 
  private:
-  static constexpr double kRemoved = -1; ///< the length of sides that are not there
-
   template <class Visit>
   void for_corners(const Visit& visit) const {
     parallel_chunks(corners_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -198,13 +202,13 @@ class TwoSheets {
 
   void remove(const std::vector<Index>& faces) {
     for (const Index face : faces)
-      for (std::size_t k = 0; k < 3; ++k) {
-        HalfEdge& side = half_edges_[3 * at(face) + k];
-        side.length = kRemoved;
-        side.half_cotangent = 0;
-      }
+      for (std::size_t k = 0; k < 3; ++k) half_edges_[3 * at(face) + k].half_cotangent = 0;
   }
-  [[nodiscard]] bool is_removed(Index face) const { return half_edges_[3 * at(face)].length == kRemoved; }
+  /// No triangle has three right angles.
+  [[nodiscard]] bool is_removed(Index face) const {
+    const HalfEdge* const side = &half_edges_[3 * at(face)];
+    return side[0].half_cotangent == 0 && side[1].half_cotangent == 0 && side[2].half_cotangent == 0;
+  }
 
   /// The back of side k of a face is side 2 - k of another, so that both turn the right way.
   [[nodiscard]] Index back(Index c) const { return static_cast<Index>(corners_.size()) + mirrored(c); }
@@ -235,8 +239,9 @@ class TwoSheets {
 
 /// The mesh itself, some of its faces reversed.
 /// \param turns  (F,) or none where no face is
-Buffer<HalfEdge> one_sheet(const Mesh& mesh, const Buffer<Turn>& turns) {
-  Buffer<HalfEdge> half_edges = make_front(mesh);
+Buffer<HalfEdge> one_sheet(const Mesh& mesh, std::span<const double> in_space, const SideLengths& sides,
+                           const Buffer<Turn>& turns) {
+  Buffer<HalfEdge> half_edges = make_front(mesh, in_space, sides);
   const std::span<const Index> corners = mesh.corners();
   const Buffer<Index>& opposite = mesh.connectivity().opposite;
   const auto place = [&](Index c) { return !turns.empty() && turns[at(c / 3)] == Turn::reversed ? mirrored(c) : c; };
@@ -255,10 +260,14 @@ Buffer<HalfEdge> one_sheet(const Mesh& mesh, const Buffer<Turn>& turns) {
 
 } // namespace
 
-Cover cover(const Mesh& triangles) {
-  if (has_one_direction(triangles)) return {IntrinsicTriangulation(one_sheet(triangles, {})), 1};
-  if (const auto turns = find_direction(triangles)) return {IntrinsicTriangulation(one_sheet(triangles, *turns)), 1};
-  return {IntrinsicTriangulation(TwoSheets(triangles).half_edges()), 2};
+Cover cover(const Mesh& triangles, std::span<const double> half_cotangents) {
+  const SideLengths sides = mollified_sides(triangles);
+  const auto one = [&](const Buffer<Turn>& turns) {
+    return Cover{IntrinsicTriangulation(one_sheet(triangles, half_cotangents, sides, turns)), 1, sides.thickened};
+  };
+  if (has_one_direction(triangles)) return one({});
+  if (const auto turns = find_direction(triangles)) return one(*turns);
+  return {IntrinsicTriangulation(TwoSheets(triangles, half_cotangents, sides).half_edges()), 2, sides.thickened};
 }
 
 } // namespace dirichlet

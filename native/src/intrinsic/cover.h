@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include "dirichlet/mesh.h"
 #include "intrinsic/intrinsic_triangulation.h"
 
@@ -9,7 +11,8 @@ namespace dirichlet {
 /// A mesh's triangles as one or two sheets that are surfaces with a direction all around.
 struct Cover {
   IntrinsicTriangulation triangles;
-  int sheets; ///< how often it holds every face of the mesh
+  int sheets;      ///< how often it holds every face of the mesh
+  Index thickened; ///< see SideLengths
 };
 
 /// Where every edge has at most two faces and the surface has a direction all around, its faces turned that way. Else
@@ -19,9 +22,10 @@ struct Cover {
 ///
 /// Independent of the direction and the order of the faces. Lengths are mollified where a triangle asks for it.
 ///
-/// \param triangles  a mesh of triangles
+/// \param triangles        a mesh of triangles
+/// \param half_cotangents  (C,) of the angle opposite to every half-edge: see Cotangents
 /// Cost: O(C) on all cores; with k half-edges at edges of three or more faces O(C + k log k).
 /// Source: Sharp, Crane, "A Laplacian for Nonmanifold Triangle Meshes", 2020, whose tufted cover also closes borders.
-Cover cover(const Mesh& triangles);
+Cover cover(const Mesh& triangles, std::span<const double> half_cotangents);
 
 } // namespace dirichlet

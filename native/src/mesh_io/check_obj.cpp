@@ -36,7 +36,7 @@ class ObjCheck {
   void vertex() {
     std::size_t count = 0;
     for (auto word = in_.word(); !word.empty(); word = in_.word(), ++count) {
-      const double value = in_.finite(word, "a coordinate");
+      const double value = in_.coordinate(word);
       if (count < 3) checked_.positions.push_back(value);
     }
     if (count < 3) in_.fail("the vertex has ", counted(count, "coordinate"), ", not three");

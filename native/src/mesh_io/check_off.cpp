@@ -54,8 +54,7 @@ CheckedFile check_off(const FileBytes& file) {
   in.next_line(); // the number of edges is of no use, and sometimes left out
   checked.positions.reserve(3 * vertices);
   for (std::size_t v = 0; v < vertices; ++v, in.next_line())
-    for (int axis = 0; axis < 3; ++axis)
-      checked.positions.push_back(in.finite(in.expect("a coordinate"), "a coordinate"));
+    for (int axis = 0; axis < 3; ++axis) checked.positions.push_back(in.coordinate(in.expect("a coordinate")));
   checked.stream = message("OFF\n0 ", checked.faces, " 0\n");
   for (std::size_t f = 0; f < checked.faces; ++f, in.next_line()) // what follows the corners is a colour
     read_face(in, static_cast<std::int64_t>(vertices), checked);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
+#include "mesh_checks.h"
 #include "mesh_io/checked_file.h"
 #include "mesh_io/ply_values.h"
 
@@ -58,7 +58,8 @@ class BodyCheck {
     for (std::size_t v = 0; v < element.count; ++v) {
       for (std::size_t p = 0; p < values.size(); ++p) values[p] = property(element.properties[p]);
       for (const std::size_t axis : axes) {
-        if (!std::isfinite(values[axis])) in_.fail("vertex ", v, " has a coordinate that is not finite");
+        if (!is_coordinate(values[axis]))
+          in_.fail("vertex ", v, " has a coordinate that is not finite or beyond 1e150");
         positions.push_back(values[axis]);
       }
     }

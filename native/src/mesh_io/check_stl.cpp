@@ -97,7 +97,7 @@ class TextCheck {
     checked_.stream += "vertex";
     for (float& coordinate : corner) {
       const auto word = in_.expect("a coordinate");
-      in_.finite(word, "a coordinate");
+      in_.coordinate(word);
       coordinate = parse<float>(word).value_or(0);
       if (!std::isfinite(coordinate)) in_.fail(quoted(word), " is beyond the single precision of STL");
       checked_.stream.append(" ").append(word);

@@ -5,6 +5,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
 
 #include "dirichlet/error.h"
 #include "dirichlet/triangulation.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,8 +10,8 @@
 
 namespace dirichlet {
 
-enum class PlyEncoding { ascii, binary_little_endian, binary_big_endian };
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class PlyEncoding : std::uint8_t { ascii, binary_little_endian, binary_big_endian };
+enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 [[nodiscard]] std::size_t size_of(PlyType type); ///< in bytes
 [[nodiscard]] bool is_whole(PlyType type);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_io/text_scanner.h"
 
-#include <cmath>
+#include "mesh_checks.h"
 
 namespace dirichlet {
 namespace {
@@ -71,10 +71,10 @@ std::string_view TextScanner::expect(std::string_view what) {
   return word();
 }
 
-double TextScanner::finite(std::string_view word, std::string_view what) const {
+double TextScanner::coordinate(std::string_view word) const {
   const auto value = parse<double>(word);
-  if (!value) fail(quoted(word), " is not a number, but should be ", what);
-  if (!std::isfinite(*value)) fail(what, " is ", quoted(word), ", which is not finite");
+  if (!value) fail(quoted(word), " is not a number, but should be a coordinate");
+  if (!is_coordinate(*value)) fail("a coordinate is ", quoted(word), ", which is not finite or beyond 1e150");
   return *value;
 }
 

@@ -55,8 +55,9 @@ class TextScanner {
   /// The next word of this line or a later one. \throws InputError  the file ends; `what` says what is missing.
   std::string_view expect(std::string_view what);
 
-  /// A word as a number. \throws InputError  it is none; `what` says what it should be.
-  double finite(std::string_view word, std::string_view what) const;
+  /// A word as a number. \throws InputError  it is none, or no coordinate that a mesh may have; `what` says what it
+  /// should be.
+  double coordinate(std::string_view word) const;
   std::int64_t whole(std::string_view word, std::string_view what) const;
 
   bool next_line(); ///< skips what is left of this line; false at the end of the file

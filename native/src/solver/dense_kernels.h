@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 #include "dirichlet/array.h"
+#include "solver/summed_pivots.h"
 
 namespace dirichlet {
 
@@ -25,8 +27,10 @@ template <class Real>
 struct DenseKernels {
   /// Cholesky of the leading w columns of an (m, w) panel, m >= w, in place: A11 = L11 L11ᵀ, L21 = A21 L11⁻ᵀ.
   /// Made for w <= kPanelColumns; the function below takes any panel.
+  /// \param pivots  (w,) squares of L's diagonal, where they are known better than by subtraction: A's is not read; or
+  ///                null
   /// \returns the first column whose pivot is not a positive normal number, with the panel left half done; or w.
-  Index (*factor_panel)(Real* a, Index m, Index w, Index ld);
+  Index (*factor_panel)(Real* a, Index m, Index w, Index ld, const Real* pivots);
 
   /// Columns [begin, end) of C −= A Aᵀ, with C (r, r) and A (r, w). Writes to no other column; every number of the
   /// lower triangle comes from the same operations whatever the columns are split into.
@@ -51,8 +55,6 @@ bool is_supported(InstructionSet set);
 template <class Real>
 const DenseKernels<Real>& dense_kernels(InstructionSet set);
 
-constexpr Index kPanelColumns = 32;
-
 /// Where to cut columns [0, end) of a lower triangle (r, r) so that piece `piece` of `pieces` begins there and all have
 /// about the same area.
 inline Index cut_triangle(Index r, Index end, Index piece, Index pieces) {
@@ -75,17 +77,27 @@ void rank_update(const DenseKernels<Real>& kernels, Real* c, Index ldc, const Re
 
 /// DenseKernels::factor_panel for a panel of any width, by halves (Gustavson 1997, "Recursion leads to automatic
 /// variable blocking for dense linear-algebra algorithms"); the updates between them are shared out as above.
+/// \param slack  (m,) of every row, to sum pivots as in summed_pivots.h; in [w, m) then what is left of it. Or null.
 template <class Real, class ParallelFor>
-Index factor_panel(const DenseKernels<Real>& kernels, Real* a, Index m, Index w, Index ld, Index pieces,
+Index factor_panel(const DenseKernels<Real>& kernels, Real* a, Index m, Index w, Index ld, Real* slack, Index pieces,
                    const ParallelFor& parallel_for) {
-  if (w <= kPanelColumns) return kernels.factor_panel(a, m, w, ld);
+  if (w <= kPanelColumns) {
+    if (slack == nullptr) return kernels.factor_panel(a, m, w, ld, nullptr);
+    std::array<Real, static_cast<std::size_t>(kPanelColumns)> pivots;
+    sum_pivots(a, m, w, ld, slack, pivots.data());
+    const Index good = kernels.factor_panel(a, m, w, ld, pivots.data());
+    if (good == w)
+      kernels.forward(a, m, w, ld, slack, slack + w, 1); // which adds, as L is negative beside its diagonal
+    return good;
+  }
   const Index left = (w / 2 + kPanelColumns - 1) / kPanelColumns * kPanelColumns;
-  const Index good = factor_panel(kernels, a, m, left, ld, pieces, parallel_for);
+  const Index good = factor_panel(kernels, a, m, left, ld, slack, pieces, parallel_for);
   if (good < left) return good;
   Real* const below = a + left;
   Real* const rest = below + static_cast<std::ptrdiff_t>(left) * ld;
   rank_update(kernels, rest, ld, below, ld, m - left, left, w - left, pieces, parallel_for);
-  return left + factor_panel(kernels, rest, m - left, w - left, ld, pieces, parallel_for);
+  return left + factor_panel(kernels, rest, m - left, w - left, ld, slack == nullptr ? nullptr : slack + left, pieces,
+                             parallel_for);
 }
 
 } // namespace dirichlet

@@ -14,6 +14,7 @@
 #include "solver/ordered_matrix.h"
 #include "solver/ordering.h"
 #include "solver/refinement.h"
+#include "solver/weak_links.h"
 #include "stopwatch.h"
 
 namespace dirichlet {
@@ -43,10 +44,17 @@ class DirectSolver final : public Solver {
  public:
   DirectSolver(const SparseMatrix& K, const Analysis& analysis, std::int64_t most_kept, const SolverOptions& options)
       : symbolic_(analysis.symbolic), matrix_(std::make_shared<const OrderedMatrix>(order_matrix(K, symbolic_->order))),
-        factor_(symbolic_, matrix_, most_kept, options.cancel), tolerance_(options.tolerance.value_or(kTwinTolerance)),
-        max_iterations_(options.max_iterations.value_or(kMostTwinIterations)),
-        statistics_{Method::direct, K.nonZeros(), symbolic_->factor_size(),
-                    Factor<Real>::bytes_needed(*symbolic_, K.nonZeros(), 0), analysis.seconds} {}
+        statistics_{.method = Method::direct,
+                    .nonzeros = K.nonZeros(),
+                    .factor_nonzeros = symbolic_->factor_size(),
+                    .factor_bytes = Factor<Real>::bytes_needed(*symbolic_, K.nonZeros(), 0),
+                    .analysis_seconds = analysis.seconds,
+                    .sums_pivots = has_uneven_weights(K),
+                    .weak_links = !std::is_same_v<Real, double> && check_weak_links(K, "a float32 factor")},
+        factor_(symbolic_, matrix_, statistics_.sums_pivots ? Pivots::summed : Pivots::subtracted, most_kept,
+                options.cancel),
+        tolerance_(options.tolerance.value_or(kTwinTolerance)),
+        max_iterations_(options.max_iterations.value_or(kMostTwinIterations)) {}
 
   [[nodiscard]] SparseView matrix() const override { return view(*matrix_); }
   [[nodiscard]] std::span<const Index> order() const override { return symbolic_->order; }
@@ -87,11 +95,11 @@ class DirectSolver final : public Solver {
 
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::shared_ptr<const OrderedMatrix> matrix_;
+  SolverStatistics statistics_;
   Factor<Real> factor_;
   Mask mask_; ///< the one that is factored; empty if none is
   double tolerance_;
   Index max_iterations_;
-  SolverStatistics statistics_;
 };
 
 } // namespace

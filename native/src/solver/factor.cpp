@@ -48,8 +48,8 @@ std::int64_t count_bytes(const SymbolicFactor& symbolic, const EliminationTasks&
 
 template <class Real>
 Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared_ptr<const OrderedMatrix> matrix,
-                     std::int64_t most_kept, CancelToken cancel)
-    : symbolic_(std::move(symbolic)), matrix_(std::move(matrix)), cancel_(std::move(cancel)),
+                     Pivots pivots, std::int64_t most_kept, CancelToken cancel)
+    : symbolic_(std::move(symbolic)), matrix_(std::move(matrix)), pivots_(pivots), cancel_(std::move(cancel)),
       tasks_(cut<Real>(*symbolic_, most_kept)), kernels_(dense_kernels<Real>(best_instruction_set())),
       panels_(static_cast<std::size_t>(symbolic_->factor_size())), kept_(static_cast<std::size_t>(tasks_.kept_size)) {
   const SymbolicFactor& f = *symbolic_;
@@ -72,7 +72,16 @@ Factor<Real>::Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared
     if (const Index up = f.parent[at(s)]; up >= 0) children_[at(next[at(up)]++)] = s;
 }
 
-/// The entries of K, and nothing else. Notes the place of every row.
+/// What the fixed neighbours of a column are joined to it by.
+template <class Real>
+Real Factor<Real>::weights_to(Index column, const Mask& fixed) const {
+  double sum = 0;
+  for (auto e = at(matrix_->offsets[at(column)]); e < at(matrix_->offsets[at(column) + 1]); ++e)
+    if (fixed[at(matrix_->columns[e])] != 0) sum -= matrix_->values[e];
+  return static_cast<Real>(sum);
+}
+
+/// The entries of K, and nothing else; slacks for its diagonal where pivots are summed. Notes the place of every row.
 template <class Real>
 void Factor<Real>::fill_panel(Index s, const Mask& fixed, Index* place, Real* panel) const {
   const SymbolicFactor& f = *symbolic_;
@@ -80,6 +89,7 @@ void Factor<Real>::fill_panel(Index s, const Mask& fixed, Index* place, Real* pa
   for (Index c = 0; c < w; ++c) place[first + c] = c;
   for (Index p = w; const Index row : f.rows_of(s)) place[row] = p++;
   std::fill_n(panel, std::int64_t{m} * w, Real{0});
+  const bool summed = pivots_ == Pivots::summed;
   for (Index c = 0; c < w; ++c) {
     const Index j = first + c;
     Real* const column = panel + std::int64_t{c} * m;
@@ -90,6 +100,7 @@ void Factor<Real>::fill_panel(Index s, const Mask& fixed, Index* place, Real* pa
     for (auto e = at(matrix_->upper[at(j)]); e < at(matrix_->offsets[at(j) + 1]); ++e) // of row j: K is symmetric
       if (const Index i = matrix_->columns[e]; fixed[at(i)] == 0)
         column[place[i]] = static_cast<Real>(matrix_->values[e]);
+    if (summed) column[c] = weights_to(j, fixed);
   }
 }
 
@@ -111,23 +122,43 @@ void Factor<Real>::eliminate(Index s, const Mask& fixed, Real* update, std::span
     extend_add(child_updates[k], std::span<const Index>(space.child_place), w, m, panel, update);
   }
 
+  if (const Index good = factor_front(s, panel, update, space.slack, space.team); good < w)
+    throw SolverError(message("the matrix is singular", sizeof(Real) < sizeof(double) ? " to single precision" : "",
+                              " at vertex ", f.order[at(first + good)], ", as very thin faces there can make it; ",
+                              sizeof(Real) < sizeof(double)
+                                  ? "a float64 factor, or thicker faces, would do better"
+                                  : "thicker faces, or the intrinsic Delaunay or graph Laplacian, mend it"));
+}
+
+/// What is assembled, in place: the columns of the factor, and the update matrix for what comes later.
+/// \returns the columns that had a good pivot
+template <class Real>
+Index Factor<Real>::factor_front(Index s, Real* panel, Real* update, std::vector<Real>& slack, Team* space_team) const {
+  const SymbolicFactor& f = *symbolic_;
+  const Index w = f.width(s), r = f.row_count(s), m = w + r;
+  const bool summed = pivots_ == Pivots::summed;
+  if (summed) {
+    slack.resize(at(m));
+    for (Index c = 0; c < w; ++c) slack[at(c)] = panel[std::int64_t{c} * m + c];
+    for (Index i = 0; i < r; ++i) slack[at(w + i)] = update[UpdateLayout::column(r, i) + i];
+  }
   constexpr double kWorthSharing = 2e6; // floating-point operations
-  Team* const team = 1.0 * w * m * m < kWorthSharing ? nullptr : space.team;
+  Team* const team = 1.0 * w * m * m < kWorthSharing ? nullptr : space_team;
   const auto share_out = [team](Index parts, const auto& part) {
     if (team != nullptr) return team->share_out(parts, part);
     for (Index i = 0; i < parts; ++i) part(i);
   };
   const auto pieces = team == nullptr ? 1 : static_cast<Index>(team->size());
-  if (const Index good = factor_panel(kernels_, panel, m, w, m, pieces, share_out); good < w)
-    throw SolverError(
-        message("the matrix is singular", sizeof(Real) < sizeof(double) ? " to single precision" : "", " at vertex ",
-                f.order[at(first + good)],
-                sizeof(Real) < sizeof(double) ? "; a float64 factor may do better" : "; the graph Laplacian never is"));
+  const Index good = factor_panel(kernels_, panel, m, w, m, summed ? slack.data() : nullptr, pieces, share_out);
+  if (good < w) return good;
   share_out((r + UpdateLayout::kBlock - 1) / UpdateLayout::kBlock, [&](Index block) {
     const Index j = block * UpdateLayout::kBlock, below = r - j;
     kernels_.rank_update(update + UpdateLayout::block(r, j), below, panel + w + j, m, below, w, 0,
                          std::min(UpdateLayout::kBlock, below));
   });
+  if (summed)
+    for (Index i = 0; i < r; ++i) update[UpdateLayout::column(r, i) + i] = slack[at(w + i)];
+  return w;
 }
 
 template <class Real>

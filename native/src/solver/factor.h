@@ -18,6 +18,12 @@ namespace dirichlet {
 
 class Team;
 
+/// Where the factor's diagonal comes from.
+enum class Pivots : std::uint8_t {
+  subtracted, ///< from the matrix's diagonal, by which any positive definite one can be factored
+  summed,     ///< see summed_pivots.h
+};
+
 /// Multifrontal Cholesky factor L Lᵀ of the injected twin (I − M) K (I − M) + M (Duff & Reid 1983; Liu 1992), which can
 /// follow changes of M: painted vertices are identity rows, so structure and storage never change.
 ///
@@ -27,9 +33,10 @@ class Team;
 template <class Real>
 class Factor {
  public:
+  /// \param pivots     summed only for a matrix that has_uneven_weights
   /// \param most_kept  bytes that may be spent on update matrices kept for partial factorisations
   /// \throws std::bad_alloc  not enough memory
-  Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared_ptr<const OrderedMatrix> matrix,
+  Factor(std::shared_ptr<const SymbolicFactor> symbolic, std::shared_ptr<const OrderedMatrix> matrix, Pivots pivots,
          std::int64_t most_kept, CancelToken cancel = {});
 
   /// Factors anew what depends on the columns in `changed` (positions whose painted flag differs, or whose neighbours'
@@ -57,6 +64,7 @@ class Factor {
   struct Workspace {
     Buffer<Index> place;              ///< (n,) of every row of the front in work: its place there
     Buffer<Real> stack;               ///< update matrices inside a subtree
+    std::vector<Real> slack;          ///< of the rows of the front in work
     std::vector<Index> child_place;   ///< of the rows of one of its children
     std::vector<const Real*> updates; ///< of the supernodes whose parent is still to come, in their order
     Team* team = nullptr;             ///< that may share a front
@@ -66,12 +74,15 @@ class Factor {
   void eliminate(Index s, const Mask& fixed, Real* update, std::span<const Real* const> child_updates,
                  Workspace& space);
   void fill_panel(Index s, const Mask& fixed, Index* place, Real* panel) const;
+  [[nodiscard]] Real weights_to(Index column, const Mask& fixed) const;
+  Index factor_front(Index s, Real* panel, Real* update, std::vector<Real>& slack, Team* team) const;
   /// Supernodes [begin, end); what goes to the shared columns is added to `shared` instead of x.
   void forward(Index begin, Index end, Real* x, Real* shared, Index k) const;
   void backward(Index begin, Index end, Real* x, Index k) const;
 
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::shared_ptr<const OrderedMatrix> matrix_;
+  Pivots pivots_;
   CancelToken cancel_;
   EliminationTasks tasks_;
   std::vector<Index> child_offsets_; ///< (S + 1,)

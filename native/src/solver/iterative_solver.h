@@ -6,6 +6,7 @@
 
 #include "dirichlet/solver.h"
 #include "index.h"
+#include "solver/weak_links.h"
 
 namespace dirichlet {
 
@@ -29,13 +30,20 @@ class IterativeSolver : public Solver {
   }
 
  protected:
-  IterativeSolver(SparseMatrix&& K, Method method, double analysis_seconds)
-      : order_(at(static_cast<Index>(K.rows()))), statistics_{method, K.nonZeros(), /*factor_nonzeros=*/0,
-                                                              /*factor_bytes=*/0, analysis_seconds} {
+  /// \param method  that it is, whatever was asked for
+  IterativeSolver(SparseMatrix&& K, Method method, Method asked, double analysis_seconds)
+      : order_(at(static_cast<Index>(K.rows()))), statistics_{.method = method,
+                                                              .nonzeros = K.nonZeros(),
+                                                              .analysis_seconds = analysis_seconds,
+                                                              .weak_links = check_weak_links(K, name(method, asked))} {
     K_.swap(K); // Eigen 3.4 copies what is moved
     std::iota(order_.begin(), order_.end(), Index{0});
   }
 
+  static const char* name(Method method, Method asked) {
+    if (asked == Method::automatic) return "multigrid, all that the memory budget allows,";
+    return method == Method::multigrid ? "multigrid" : "the method of least squares";
+  }
   virtual void set_up(const Mask& mask) = 0;
   [[nodiscard]] const SparseMatrix& stiffness() const { return K_; }
   [[nodiscard]] const Mask& mask() const { return mask_; } ///< set up for; empty if for none

@@ -30,7 +30,7 @@ class CancellablePreconditioner : public Eigen::LeastSquareDiagonalPreconditione
 class LeastSquaresSolver final : public IterativeSolver {
  public:
   LeastSquaresSolver(SparseMatrix&& K, const SolverOptions& options)
-      : IterativeSolver(std::move(K), Method::least_squares_cg, /*analysis_seconds=*/0),
+      : IterativeSolver(std::move(K), Method::least_squares_cg, options.method, /*analysis_seconds=*/0),
         tolerance_(options.tolerance.value_or(1e-14)),
         max_iterations_(options.max_iterations.value_or(20 * static_cast<Index>(stiffness().rows()) + 1000)),
         cancel_(options.cancel) {}

@@ -13,7 +13,7 @@ namespace {
 class MultigridSolver final : public IterativeSolver {
  public:
   MultigridSolver(SparseMatrix&& K, const SolverOptions& options, double analysis_seconds)
-      : IterativeSolver(std::move(K), Method::multigrid, analysis_seconds),
+      : IterativeSolver(std::move(K), Method::multigrid, options.method, analysis_seconds),
         tolerance_(options.tolerance.value_or(kTwinTolerance)), to_rounding_(!options.tolerance),
         max_iterations_(options.max_iterations.value_or(kMostTwinIterations)), cancel_(options.cancel) {}
 

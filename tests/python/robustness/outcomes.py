@@ -15,7 +15,7 @@ from mesh_makers import Soup
 OUTPUTS = ("--out-field", "field.npy", "--out-lines", "lines.obj", "--report", "report.json")
 
 #: Laplacians that keep a field in the painted range on every mesh.
-KEEP_THE_RANGE = ("graph", "intrinsic_delaunay")
+KEEP_THE_RANGE = ("graph", "intrinsic_delaunay", "auto")
 
 
 def refusal(call, *arguments, **options) -> str:
@@ -39,7 +39,7 @@ def solved(mesh: Mesh, vertices, values, laplacian: str = "graph", count: int = 
     undefined = np.isnan(field.values)
     assert np.isfinite(field.values[~undefined]).all()
     assert np.count_nonzero(undefined) == field.report.undefined
-    if field.report.laplacian in KEEP_THE_RANGE:
+    if laplacian in KEEP_THE_RANGE:
         assert values.min() <= field.report.minimum
         assert field.report.maximum <= values.max()
     low, high = field.report.minimum, field.report.maximum

@@ -37,11 +37,11 @@ def test_a_coordinate_in_a_file_is_refused_by_line(command, bad):
     assert bad in message
 
 
-def test_a_coordinate_of_1e200_in_a_file_is_refused_by_vertex(command):
+def test_a_coordinate_of_1e200_in_a_file_is_refused_by_line(command):
     content = obj_of(SPHERE).splitlines()
     content[6] = "v 0 1e200 0"
     message = command.refuses(command.write("mesh.obj", "\n".join(content)), "--patch", "a=1@0,0,1,0")
-    assert "vertex 6 has the coordinate 1e+200" in message
+    assert "mesh.obj, line 7: a coordinate is '1e200', which is not finite or beyond 1e150" in message
 
 
 @pytest.mark.parametrize("bad", NOT_FINITE)

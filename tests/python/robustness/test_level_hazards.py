@@ -84,6 +84,16 @@ def test_no_level_at_all_is_refused(command, count):
     assert f"is {count}" in refusal(even_levels, 0, 1, count)
     mesh = command.write("mesh.obj", obj_of(SPHERE))
     assert f"the number of levels is {count}" in command.refuses(mesh, *PAINT, "--isolines", str(count))
+    constant = command.refuses(mesh, *PAINT[:2], "--isolines", str(count))
+    assert f"the number of levels is {count}" in constant
+
+
+@pytest.mark.parametrize("step", ["0", "-1", "nan", "inf"])
+def test_a_step_that_is_none_is_refused_and_any_other_is_none_too_small_for_a_constant_field(command, step):
+    mesh = command.write("mesh.obj", obj_of(SPHERE))
+    for paint in (PAINT, PAINT[:2]):
+        assert f"the step is {step}, but has to be positive" in command.refuses(mesh, *paint, f"--step={step}")
+    assert "isolines: 0" in command.accepts(mesh, *PAINT[:2], "--step=1e-200")
 
 
 def test_ten_thousand_levels_have_a_line_each():

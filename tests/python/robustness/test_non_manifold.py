@@ -3,10 +3,10 @@
 
 import numpy as np
 import pytest
-from dirichlet_surface import find_defects, isolines
+from dirichlet_surface import equal_area_levels, find_defects, isolines, solve
 from dirichlet_surface.field import LAPLACIANS
 from mesh_makers import Soup, book, bow_tie, grid, sphere, torus
-from outcomes import obj_of, solved, warning_about
+from outcomes import obj_of, refusal, solved, warning_about
 
 SPHERE = sphere(7, 10)
 
@@ -86,3 +86,19 @@ def test_a_surface_with_every_face_twice_has_the_lines_of_one(triangles, turned)
     np.testing.assert_array_equal(doubled.values, field.values)
     np.testing.assert_array_equal(lines_doubled.points, lines.points)
     assert lines_doubled.closed.all()
+
+
+@pytest.mark.parametrize("laplacian", ["cotangent", "intrinsic_delaunay"])
+def test_a_face_after_a_repeated_one_is_named_by_its_own_number(laplacian):
+    sheet = grid(3, 3, triangles=False)
+    angle = 4 * np.pi * np.arange(5) / 5
+    star = np.column_stack((np.cos(angle), np.sin(angle), 9 + 0 * angle))
+    soup = Soup(np.vstack((sheet.positions, star)), [*sheet.faces, sheet.faces[4], [16, 17, 18, 19, 20]])
+    heights = soup.positions[:, 0]
+    for call, *arguments in (
+        (solve, soup.mesh(), [0, 20], [0.0, 1.0]),
+        (isolines, soup.mesh(), heights, [0.5]),
+        (equal_area_levels, soup.mesh(), heights, 3),
+    ):
+        options = {"laplacian": laplacian} if call is solve else {}
+        assert refusal(call, *arguments, **options).startswith("face 10 crosses itself")

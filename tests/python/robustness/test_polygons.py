@@ -3,11 +3,11 @@
 
 import numpy as np
 import pytest
-from dirichlet_surface import Mesh, isolines
+from dirichlet_surface import Mesh, find_defects, isolines
 from dirichlet_surface.field import LAPLACIANS
 from isoline_laws import assert_sound
 from mesh_makers import Soup, grid
-from outcomes import obj_of, refusal, solved
+from outcomes import obj_of, refusal, solved, warning_about
 
 
 def star(points: int, inner: float = 0.3) -> np.ndarray:
@@ -99,6 +99,21 @@ def test_a_polygon_that_crosses_itself_is_refused_by_face(command):
     mesh = command.write("mesh.obj", obj_of(soup))
     words = [*command.paint("low", 0, [0, 16]), *command.paint("high", 1, [15, 18])]
     assert "face 18 crosses itself" in command.refuses(mesh, *words)
+
+
+@pytest.mark.parametrize("laplacian", LAPLACIANS)
+def test_a_quad_that_crosses_itself_is_solved_through_and_told(laplacian, command):
+    sheet = grid(4, 4, triangles=False)
+    for face in (5, 9):
+        a, b, c, d = sheet.faces[face]
+        sheet.faces[face] = [a, b, d, c]
+    field, _ = solved(sheet.mesh(), [0, 24], [0.0, 1.0], laplacian)
+    warning = "face 5 crosses itself (and 1 more face), so its triangles lie on each other"
+    assert warning_about("crosses itself", field.report.warnings) == warning
+    assert find_defects(sheet.mesh()).crossing_faces == 2
+    mesh = command.write("mesh.obj", obj_of(sheet))
+    words = [*command.paint("low", 0, [0]), *command.paint("high", 1, [24]), "--laplacian", laplacian]
+    assert f"warning: {warning}" in command.accepts(mesh, *words)
 
 
 @pytest.mark.parametrize("laplacian", LAPLACIANS)

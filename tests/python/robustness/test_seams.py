@@ -83,3 +83,13 @@ def test_vertices_next_to_each_other_do_not_coincide():
     beside = np.nextafter(0.5, 1)
     positions = np.array([[0.5, 0, 0], [1, 0, 0], [1, 1, 0], [beside, 0, 0], [2, 0, 0], [2, -1, 0]])
     assert find_defects(Mesh(positions, [[0, 1, 2], [3, 4, 5]])).warnings == ()
+
+
+def test_an_edge_that_was_collapsed_is_no_seam():
+    sheet = grid(4, 4)
+    sheet.positions[2] = sheet.positions[1]  # next to it on the border
+    assert find_defects(sheet.mesh()).coincident_vertices == 0
+    sheet.positions[23] = sheet.positions[1]  # from across
+    (message,) = [warning for warning in find_defects(sheet.mesh()).warnings if ADVICE in warning]
+    assert message.startswith("1 pair of vertices coincide")
+    assert "1 and 23" in message

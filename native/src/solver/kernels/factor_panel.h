@@ -21,9 +21,10 @@ DIRICHLET_INLINE float square_root(float x) {
 
 /// Cholesky of an N × N block in place. It goes the root-free way (LDLᵀ), which leaves one division per column in the
 /// chain of dependent operations; roots are taken beside it.
+/// \param pivots  to be taken for those that come out, or null
 /// \returns how many pivots were positive normal numbers before one was not.
 template <int N, class Real>
-DIRICHLET_INLINE int factor_block(Real* a, Size ld, Triangle<Real, N>& L) {
+DIRICHLET_INLINE int factor_block(Real* a, Size ld, const Real* pivots, Triangle<Real, N>& L) {
   constexpr Real kSmallest = std::numeric_limits<Real>::min(), kLargest = std::numeric_limits<Real>::max();
   Real s[N][N];
   DIRICHLET_UNROLL
@@ -33,7 +34,7 @@ DIRICHLET_INLINE int factor_block(Real* a, Size ld, Triangle<Real, N>& L) {
   }
   DIRICHLET_UNROLL
   for (int j = 0; j < N; ++j) {
-    const Real pivot = s[j][j];
+    const Real pivot = pivots == nullptr ? s[j][j] : pivots[j];
     if (!(pivot >= kSmallest && pivot <= kLargest)) return j;
     const Real root = square_root(pivot), reciprocal = 1 / pivot;
     DIRICHLET_UNROLL
@@ -73,7 +74,7 @@ DIRICHLET_INLINE void solve_rows(Real* x, Size ldx, Size begin, Size end, const 
 /// Columns [j, j + N) of the first m rows of a panel whose columns before are done. Needs m >= kLanes.
 /// \returns how many pivots were good.
 template <class S, int N, class Real>
-DIRICHLET_INLINE int factor_columns(Real* a, Size m, Size j, Size ld) {
+DIRICHLET_INLINE int factor_columns(Real* a, Size m, Size j, Size ld, const Real* pivots) {
   if (j > 0) { // so there are kTileColumns rows above the end of the diagonal block, whichever N
     using D = Simd<Real, smaller(S::kLanes, kTileColumns)>;
     const Size i = j + N - kTileColumns;
@@ -82,18 +83,18 @@ DIRICHLET_INLINE int factor_columns(Real* a, Size m, Size j, Size ld) {
     tile.store(a + i + j * ld, ld, kTileColumns - N);
   }
   Triangle<Real, N> diagonal;
-  const int good = factor_block<N>(a + j + j * ld, ld, diagonal);
+  const int good = factor_block<N>(a + j + j * ld, ld, pivots == nullptr ? nullptr : pivots + j, diagonal);
   if (good == N) solve_columns<S, N>(a, ld, j + N, m, a, ld, j, diagonal);
   return good;
 }
 
 /// See DenseKernels::factor_panel. Needs m >= kLanes.
 template <class S, class Real>
-Size factor_narrow_panel(Real* a, Size m, Size w, Size ld) {
+Size factor_narrow_panel(Real* a, Size m, Size w, Size ld, const Real* pivots) {
   const Size top = smaller(m, w < kPanelRows ? kPanelRows : w);
   Size good = 0;
   for_columns(0, w, [&]<int N>(Count<N>, Size j) {
-    if (good == j) good += factor_columns<S, N>(a, top, j, ld);
+    if (good == j) good += factor_columns<S, N>(a, top, j, ld, pivots);
   });
   if (good == w)
     for (Size i = top; i < m; i += kPanelRows) solve_rows<S>(a, ld, i, smaller(i + kPanelRows, m), a, w, ld);

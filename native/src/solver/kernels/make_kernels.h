@@ -27,8 +27,9 @@ struct Kernels {
     return f(Scalar<Real>{});
   }
 
-  static Index factor_panel(Real* a, Index m, Index w, Index ld) {
-    return with_vectors(m, 2, [&]<class S>(S) { return static_cast<Index>(factor_narrow_panel<S>(a, m, w, ld)); });
+  static Index factor_panel(Real* a, Index m, Index w, Index ld, const Real* pivots) {
+    return with_vectors(m, 2,
+                        [&]<class S>(S) { return static_cast<Index>(factor_narrow_panel<S>(a, m, w, ld, pivots)); });
   }
 
   static void rank_update(Real* c, Index ldc, const Real* a, Index lda, Index r, Index w, Index begin, Index end) {
