@@ -9,7 +9,6 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import sys
-import sysconfig
 from pathlib import Path
 from types import ModuleType
 
@@ -48,6 +47,8 @@ def refusals() -> tuple[type[Exception], ...]:
 
 
 def _explain(error: ImportError) -> str:
+    import sysconfig
+
     folder = Path(__file__).parent / _NAME
     expected = f"_native{sysconfig.get_config_var('EXT_SUFFIX')}"
     names = sorted(path.name for path in folder.glob("_native*"))

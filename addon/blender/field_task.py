@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
+from ..sentences import told
 from . import expected_memory, freshness, preferences, results
 from .look import looks, material, ramp
 from .mesh import attributes, meshes, surfaces
@@ -119,7 +120,7 @@ def write(obj: bpy.types.Object, outcome: FieldOutcome, *, cover: bool = True) -
     attributes.write(obj.data, outcome.values, colors)
     task.clock.lap("write")
     field = outcome.field
-    warnings = (*task.painting.warnings, *field.report.warnings, *shown)
+    warnings = (*map(told, (*task.painting.warnings, *field.report.warnings)), *shown)
     seconds = task.clock.laps | field.report.seconds
     result = FieldResult(field, task.session.mesh, task.painting, warnings, seconds, task.fingerprint())
     results.record_field(obj.dirichlet.results, result)

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import library
+from ..sentences import told
 from . import field_task, pipeline, threads
 from .held import Held
 from .lines import line_task, result_objects
@@ -21,7 +22,6 @@ from .mesh import attributes
 from .mesh.sessions import Session, open_session
 from .paint import patches
 
-_INSPECTED = 200_000  # vertices up to which the patches of the list are looked at on every stroke
 _MOST_LEVELS = 2000  # that are drawn at every change
 _PREVIEW = 0
 _versions = count(1)
@@ -149,10 +149,10 @@ class Follower:
         try:
             field, lines, problem = job.result()
             if problem:
-                self.preview = None
+                problem, self.preview = told(problem), None
             self._write(obj, field, lines)
         except library.refusals() as error:
-            problem, self.preview = str(error), None
+            problem, self.preview = told(error), None
         if obj.dirichlet.results.problem != (problem or note):
             obj.dirichlet.results.problem = problem or note
 
@@ -177,7 +177,7 @@ class Follower:
     def _write(self, obj: bpy.types.Object, field, lines: dict[int, line_task.LineOutcome]) -> None:
         self.seconds = {"wait": self._begun - self.noted}
         if field:
-            if len(obj.data.vertices) <= _INSPECTED:
+            if len(obj.data.vertices) <= patches.QUICK:
                 painted = field.task.patches
                 patches.record_facts(obj, painted, patches.inspect(field.task.session.mesh, painted))
             field_task.write(obj, field, cover=False)

@@ -10,6 +10,7 @@ import bpy
 
 from .. import library
 from ..language import say
+from ..sentences import told
 from .mesh import sessions, surfaces
 from .paint import painting
 
@@ -43,7 +44,7 @@ def doubt(obj: bpy.types.Object) -> str:
             return ""
         reason = say("run Solve Field")
     except library.load().DirichletError as error:
-        reason = str(error)
+        reason = told(error)
     return say(
         "the field of '{object}' is older than its patches, shape or Laplacian: {reason}",
         object=obj.name,

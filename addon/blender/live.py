@@ -33,11 +33,13 @@ _operator: tuple[int, int] = (0, 0)  # the last one that had finished at the las
 
 def changed(obj: bpy.types.Object, what: Change, *, brush: bool = False) -> None:
     """Notes that `what` of the object is to be done anew, as far as it follows. With `brush` a stroke may be going on,
-    whose end is waited for."""
+    whose end is waited for, unless its field is to be solved already: a setting looks like a stroke once evaluated."""
     what &= _followed(obj)
     if not what:
         return
-    _followers.setdefault(obj.as_pointer(), Follower(obj)).note(what, resting=not (brush and _brush_may_move()))
+    follower = _followers.setdefault(obj.as_pointer(), Follower(obj))
+    told = Change.FIELD in follower.due() and len(obj.data.vertices) <= _INLINE
+    follower.note(what, resting=told or not (brush and _brush_may_move()))
     if not bpy.app.background and not bpy.app.timers.is_registered(_tick):
         bpy.app.timers.register(_tick, first_interval=0, persistent=True)
 

@@ -12,7 +12,7 @@ from typing import Any
 import bpy
 
 KINDS = {"BOOLEAN": (bool,), "INT": (int,), "FLOAT": (int, float), "STRING": (str,), "ENUM": (str,)}
-_LAST = "window_auto"  # setting an end of the window switches it off
+_WHOLE = "window_auto"  # switching it off may set the ends of the window, and setting one of those switches it off
 
 
 def read(group: bpy.types.PropertyGroup) -> dict[str, Any]:
@@ -26,7 +26,8 @@ def read(group: bpy.types.PropertyGroup) -> dict[str, Any]:
 
 def write(group: bpy.types.PropertyGroup, values: dict[str, Any]) -> None:
     """What is equal already is not written: nothing is triggered."""
-    for name in sorted(values, key=_LAST.__eq__):
+    whole = [_WHOLE] if _WHOLE in values else []
+    for name in (*whole, *values, *whole):
         if _plain(getattr(group, name)) != values[name]:
             setattr(group, name, values[name])
 

@@ -7,12 +7,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
-from typing import Any
+from itertools import accumulate
+from typing import Any, NamedTuple
 
 import bpy
 
 from .. import library
 from ..language import counted, say
+from ..sentences import told
 from . import field_task, pipeline
 from .held import Held
 from .lines import line_task, result_objects
@@ -25,13 +27,13 @@ def solve_fields(objects: Sequence[bpy.types.Object]) -> Work:
     patches of the first of them. Raises what `pipeline.solve_field` raises."""
     owners, warnings = _one_per_mesh(objects)
     held, outcomes = [Held(obj) for obj in owners], []
-    for number, one in enumerate(held):
+    for one, part in zip(held, _parts(held)):
         with _naming(one.name, held):
-            session = yield from sessions.opening(one, number / len(held))
+            session = yield from sessions.opening(one, part.start)
             task = field_task.read(one.find_mesh(), session=session)
             with stopping(task.interrupt):
                 outcomes.append(
-                    (yield Step(one.name, (number + 0.3) / len(held), partial(pipeline.compute_field, task)))
+                    (yield Step(one.name, part.opened, partial(pipeline.compute_field, task), say("solving")))
                 )
     owners = [one.find_mesh() for one in held]
     made = [pipeline.write_field(obj, *outcome) for obj, outcome in zip(owners, outcomes)]
@@ -61,13 +63,15 @@ def _still(held: Held, source: bpy.types.Object) -> bpy.types.Object:
 def _draw(pairs: Sequence[tuple[Held, Callable[[bpy.types.Object], bpy.types.Object | None]]]) -> Work:
     """pairs: mesh objects, and what finds the result of each at any time; None for one that is still to be made."""
     held, outcomes = [one for one, _ in pairs], []
-    for number, (one, find_result) in enumerate(pairs):
+    for (one, find_result), part in zip(pairs, _parts(held)):
         with _naming(one.name, held):
-            session = yield from sessions.opening(one, number / len(held))
+            session = yield from sessions.opening(one, part.start)
             obj = one.find_mesh()
             task, values = line_task.read(obj, find_result(obj), session=session), line_task.read_values(obj)
             with stopping(task.interrupt):
-                outcomes.append((yield Step(one.name, (number + 0.3) / len(held), partial(task.compute, values))))
+                outcomes.append(
+                    (yield Step(one.name, part.opened, partial(task.compute, values), say("tracing lines")))
+                )
     objects = [one.find_mesh() for one in held]
     results = [find_result(obj) for obj, (_, find_result) in zip(objects, pairs)]
     made = [pipeline.write_isolines(*each) for each in zip(objects, outcomes, results)]
@@ -75,6 +79,22 @@ def _draw(pairs: Sequence[tuple[Held, Callable[[bpy.types.Object], bpy.types.Obj
     closed = sum(int(result.lines.closed.sum()) for result in made)
     summary = say("{lines} on {count} objects, {closed} closed", lines=lines, count=len(made), closed=closed)
     return Made(made, summary if len(made) > 1 else made[0].summary, tuple(_warnings(objects, made)))
+
+
+class _Part(NamedTuple):
+    """Of the whole work, from 0 to 1: where that for an object begins, and where its mesh is the library's."""
+
+    start: float
+    opened: float
+
+
+def _parts(held: Sequence[Held]) -> Iterator[_Part]:
+    """One per object: every vertex is as much work."""
+    sizes = [len(one.find_mesh().data.vertices) for one in held]
+    starts = accumulate(sizes, initial=0)
+    whole = max(sum(sizes), 1)
+    for start, size in zip(starts, sizes):
+        yield _Part(start / whole, (start + 0.3 * size) / whole)
 
 
 def _summary(reports: Sequence[Any]) -> str:
@@ -125,7 +145,7 @@ def _naming(name: str, held: Sequence[Held]) -> Iterator[None]:
     except library.load().DirichletError as error:
         if len(held) == 1 or f"'{name}'" in str(error):  # in any language
             raise
-        raise type(error)(say("object '{name}': {reason}", name=name, reason=error)) from error
+        raise type(error)(say("object '{name}': {reason}", name=name, reason=told(error))) from error
 
 
 def _warnings(objects: Sequence[bpy.types.Object], made: Iterable) -> Iterator[str]:

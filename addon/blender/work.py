@@ -23,6 +23,7 @@ class Step(NamedTuple):
     name: str  # of the object that it is for
     part: float  # of the whole work that comes before it, from 0 to 1
     compute: Callable[[], Any]  # touches nothing of Blender's
+    doing: str = ""  # what it does, where the work has other steps too
 
 
 Work = Generator[Step, Any, Any]

@@ -98,6 +98,14 @@ def _box_diagonal(obj: bpy.types.Object) -> float:
 # The window follows the field's range until one of its ends is set; the other end then starts at that range's.
 
 
+def window_auto_changed(settings, context) -> None:
+    """Switched off before any end was ever set, the window starts as what it was."""
+    ends = ("window_low", "window_high")
+    if settings.results.solved and not (settings.window_auto or any(map(settings.is_property_set, ends))):
+        settings.window_low, settings.window_high = settings.results.minimum, settings.results.maximum
+    lines_changed(settings, context)
+
+
 def window_low_changed(settings, context) -> None:
     if settings.window_auto:
         settings.window_auto = False

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What several operators and panels need."""
 
-import textwrap
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -11,6 +10,7 @@ from .. import library
 from ..blender.lines.result_objects import is_result
 from ..blender.names import FIELD
 from ..language import say
+from ..sentences import told
 
 _MODES = ("OBJECT", "PAINT_WEIGHT", "PAINT_VERTEX")
 
@@ -64,7 +64,7 @@ def reporting(operator: bpy.types.Operator) -> Iterator[None]:
     try:
         yield
     except library.refusals() as error:
-        operator.report({"ERROR"}, str(error))
+        operator.report({"ERROR"}, told(error))
 
 
 def report_made(operator: bpy.types.Operator, made) -> set[str]:
@@ -86,6 +86,8 @@ def write_sentence(
 ) -> None:
     """A sentence over as many lines as the sidebar's width asks for, and at least so many, so that what stands below
     it need not jump."""
+    import textwrap  # when there is something to say: enabling the add-on need not wait for it
+
     characters = max(20, int(context.region.width / (7 * context.preferences.system.ui_scale)) - 6)
     column = layout.column(align=True)
     column.scale_y = 0.8

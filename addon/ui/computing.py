@@ -135,7 +135,8 @@ class Computing:
         step, seconds = self._background.step, perf_counter() - self._begun
         context.window_manager.progress_update(step.part)
         what = bpy.app.translations.pgettext_iface(self.bl_label, "Operator")
-        text = label("{what}: {name}, {seconds:.0f} s     Esc: Cancel", what=what, name=step.name, seconds=seconds)
+        name = ", ".join(filter(None, (step.name, step.doing)))
+        text = label("{what}: {name}, {seconds:.0f} s     Esc: Cancel", what=what, name=name, seconds=seconds)
         context.workspace.status_text_set(text)
 
 

@@ -34,6 +34,11 @@ def _undone(scene, depsgraph=None) -> None:
     _note((obj for obj in bpy.data.objects if material.find(obj)), colors=True)
 
 
+def _enabled() -> None:
+    """Disabled, the add-on saw nothing of what changed, and forgot what it showed."""
+    _note(bpy.data.objects)
+
+
 @persistent
 def _loaded(path) -> None:
     live = _used()
@@ -94,9 +99,12 @@ _HANDLERS = {
 def register() -> None:
     for event, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, event).append(handler)
+    bpy.app.timers.register(_enabled, first_interval=0)  # there are no objects to see while an add-on is enabled
 
 
 def unregister() -> None:
+    if bpy.app.timers.is_registered(_enabled):
+        bpy.app.timers.unregister(_enabled)
     for event, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, event).remove(handler)
     live = _used()

@@ -114,9 +114,12 @@ class DIRICHLET_PT_field(_Panel, bpy.types.Panel):
             return
         layout.template_color_ramp(ramp, "color_ramp", expand=True)
         window = layout.column(align=True)
+        window.enabled = settings.levels_mode != "LIST"
         window.prop(settings, "window_low_place", slider=True)
         window.prop(settings, "window_high_place", slider=True)
         window.prop(settings, "window_place", slider=True)
+        if not window.enabled:
+            write_sentence(layout, context, label("The levels are listed: no window chooses them"), "INFO")
 
 
 class DIRICHLET_PT_field_options(_Panel, bpy.types.Panel):

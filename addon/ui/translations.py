@@ -12,8 +12,8 @@ _CONTEXTS = ("*", "Operator")  # in which Blender looks texts up: the labels of 
 def read(path: Path) -> dict[str, str]:
     """English -> translation. Lines by turns; empty ones and those that begin with # do not count."""
     text = path.read_text(encoding="utf-8")
-    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
-    return {english: line.strip() for english, line in zip(lines[::2], lines[1::2], strict=True)}
+    lines = [line for line in map(str.strip, text.splitlines()) if line and line[0] != "#"]
+    return dict(zip(lines[::2], lines[1::2], strict=True))
 
 
 def register() -> None:

@@ -12,11 +12,15 @@ bpy.ops.preferences.addon_install(filepath={archive!r}, overwrite=True)
 bpy.ops.preferences.addon_enable(module="dirichlet_isolines")
 bpy.ops.wm.save_userpref()
 """
+_SWITCH = """
+import bpy
+bpy.ops.preferences.addon_{act}(module={module!r})
+bpy.ops.wm.save_userpref()
+"""
 _REMOVE = """
 import bpy
 window = bpy.context.window_manager.windows[0]
 with bpy.context.temp_override(window=window, area=window.screen.areas[0]):
-    bpy.ops.preferences.addon_disable(module="dirichlet_isolines")
     bpy.ops.preferences.addon_remove(module="dirichlet_isolines")
 bpy.ops.wm.save_userpref()
 """
@@ -45,28 +49,40 @@ def run(blender: str, environment: dict[str, str], script: str) -> str:
     return _start([blender, "--background", "--python-exit-code", "1", "--python-expr", script], environment)
 
 
-def install(blender: str, environment: dict[str, str], archive: Path) -> None:
+def install(blender: str, environment: dict[str, str], archive: Path) -> str:
     """Preferences > Add-ons > Install, enable, Save Preferences; from Blender 4.2 on Install from Disk.
 
-    Over an earlier version this is the upgrade.
+    Over an earlier version this is the upgrade. Gives what Blender prints.
     """
     if _is_extension(archive):
-        extension(blender, environment, "install-file", "-r", "user_default", "-e", str(archive))
-    else:
-        run(blender, environment, _INSTALL.format(archive=str(archive)))
+        return extension(blender, environment, "install-file", "-r", "user_default", "-e", str(archive))
+    return run(blender, environment, _INSTALL.format(archive=str(archive)))
 
 
-def remove(blender: str, environment: dict[str, str], archive: Path) -> None:
-    """Disable and delete what was installed from the archive."""
+def disable(blender: str, environment: dict[str, str], archive: Path) -> str:
+    """Untick what was installed from the archive, Save Preferences. Gives what Blender prints."""
+    return run(blender, environment, _SWITCH.format(act="disable", module=_module(archive)))
+
+
+def enable(blender: str, environment: dict[str, str], archive: Path) -> str:
+    """Tick it again, Save Preferences. Gives what Blender prints."""
+    return run(blender, environment, _SWITCH.format(act="enable", module=_module(archive)))
+
+
+def remove(blender: str, environment: dict[str, str], archive: Path) -> str:
+    """Delete what was installed from the archive, enabled or not. Gives what Blender prints."""
     if _is_extension(archive):
-        extension(blender, environment, "remove", "dirichlet_isolines")
-    else:
-        run(blender, environment, _REMOVE)
+        return extension(blender, environment, "remove", "dirichlet_isolines")
+    return run(blender, environment, _REMOVE)
 
 
 def extension(blender: str, environment: dict[str, str], *words: str) -> str:
     """blender --command extension WORDS."""
     return _start([blender, "--command", "extension", *words], environment)
+
+
+def _module(archive: Path) -> str:
+    return "bl_ext.user_default.dirichlet_isolines" if _is_extension(archive) else "dirichlet_isolines"
 
 
 def _is_extension(archive: Path) -> bool:

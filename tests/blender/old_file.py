@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A file as an older Blender saved it, with what it held there written into a text of its own. Blender 3.4 made it by
+"""Makes a file for later Blenders, with what it holds here written into a text of its own:
 
-DIRICHLET_ADDON=… blender --background --factory-startup --python tests/blender/old_file.py
+DIRICHLET_ADDON=… blender --background --factory-startup --python tests/blender/old_file.py -- FILE
 """
 
 import importlib
@@ -11,7 +11,8 @@ from pathlib import Path
 
 import bpy
 
-FILE = Path(__file__).with_name("saved_in_3_4.blend")
+HERE = Path(__file__).resolve().parent
+RECORDED = HERE / "saved_in_3_4.blend"  # by an earlier state of the add-on, in Blender 3.4
 SETTINGS = {
     "threshold": 0.4,
     "ramp_preset": "grey",
@@ -36,7 +37,7 @@ def record(addon, obj):
     }
 
 
-def _save(addon):
+def _save(addon, file):
     import scene
 
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
@@ -47,11 +48,11 @@ def _save(addon):
     bpy.ops.dirichlet.solve_field()
     bpy.ops.dirichlet.make_isolines()
     bpy.data.texts.new("recorded").write(json.dumps(record(addon, obj)))
-    bpy.ops.wm.save_as_mainfile(filepath=str(FILE), compress=True)
+    bpy.ops.wm.save_as_mainfile(filepath=str(Path(file).resolve()), compress=True)
 
 
 if __name__ == "__main__":
-    sys.path[:0] = [str(FILE.parent), str(FILE.parents[2] / "blender_scripts")]
+    sys.path[:0] = [str(HERE), str(HERE.parents[1] / "blender_scripts")]
     import addon_loader
 
-    _save(addon_loader.load_addon())
+    _save(addon_loader.load_addon(), addon_loader.script_words()[0])

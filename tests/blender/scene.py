@@ -64,10 +64,14 @@ def paint(obj, group, vertices, value=0.0, weight=1.0):
 
 def select(obj, vertices):
     """These vertices alone, and no edge or face, so that Edit Mode keeps the selection."""
-    for items in (obj.data.edges, obj.data.polygons):
-        items.foreach_set("select", [False] * len(items))
-    for vertex in obj.data.vertices:
+    edited = bmesh.new()  # setting `select` of an edge crashes Blender 5.0.1
+    edited.from_mesh(obj.data)
+    for item in (*edited.edges, *edited.faces):
+        item.select = False
+    for vertex in edited.verts:
         vertex.select = vertex.index in vertices
+    edited.to_mesh(obj.data)
+    edited.free()
 
 
 def field_of(obj):

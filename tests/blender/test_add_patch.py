@@ -241,6 +241,28 @@ def test_a_disc_that_is_refused_while_dragged_ends_the_operator(surface):
     assert seen == [({"ERROR"}, "no"), "end"]
 
 
+def test_a_disc_that_cannot_be_shown_at_once_ends_the_operator(addon, monkeypatch):
+    operators = importlib.import_module(f"{addon.__name__}.ui.patches.add_patch_operator")
+    pointer = SimpleNamespace(place=(0, 0), hit=lambda context: "hit")
+    monkeypatch.setattr(operators, "Pointer", lambda *_: pointer)
+    seen = []
+
+    def refuse_to_show(context, objects):
+        running._disc = "disc"  # by then the outline is drawn
+        return {"CANCELLED"}
+
+    running = SimpleNamespace(
+        _disc=None, start=refuse_to_show, choose=lambda context: [], _end=lambda: seen.append("end")
+    )
+    context = SimpleNamespace(
+        area=None,
+        region=SimpleNamespace(type="WINDOW"),
+        window_manager=SimpleNamespace(modal_handler_add=lambda operator: seen.append("goes on")),
+    )
+    assert bpy.types.DIRICHLET_OT_add_patch_disc.invoke(running, context, None) == {"CANCELLED"}
+    assert seen == ["end"]
+
+
 def test_a_disc_not_added_leaves_nothing(discs):
     obj = painted_grid()
     before = state(obj)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From an empty configuration to an empty one: what installing, upgrading, saving and removing leave behind."""
+"""From an empty configuration to an empty one: what installing, upgrading, saving, disabling, removing leave behind."""
 
 import json
 import re
@@ -11,6 +11,7 @@ import pytest
 
 BLENDER = bpy.app.binary_path
 NEWER = "99.0.0"
+BLENDERS_OWN = ("config/", "temporary/", "extensions/.cache/", "extensions/user_default/.blender_ext/")
 
 SAVE = """
 import bpy
@@ -37,6 +38,11 @@ bpy.ops.dirichlet.make_isolines()
 enabled = [module for module in addon_utils.modules() if module.__name__ in bpy.context.preferences.addons.keys()]
 module = next(module for module in enabled if "dirichlet_isolines" in module.__name__)
 print("RESULT", json.dumps([saved, state(), addon_utils.module_bl_info(module)["version"]]))
+"""
+ABSENT = """
+import bpy, sys
+found = [*dir(bpy.types), *dir(bpy.types.Object), *bpy.context.preferences.addons.keys(), *sys.modules]
+assert [name for name in found if "dirichlet" in name.lower()] == []
 """
 
 
@@ -89,18 +95,33 @@ def test_a_newer_version_over_it_keeps_it_enabled_and_opens_the_files(look, envi
     assert saved == anew == before
 
 
-def test_installing_and_removing_leaves_nothing(environment, archive):
+def own(environment):
+    """The add-on's files; where wheels are unpacked is Blender's, which clears it when an extension is disabled."""
+    return {name for name in files(environment) if "dirichlet_isolines/" in name}
+
+
+def test_disabled_and_enabled_again_it_opens_the_files(look, environment, archive):
+    before = look()
+    configuration.disable(BLENDER, environment, archive)
+    configuration.enable(BLENDER, environment, archive)
+    assert look() == before
+
+
+def test_installing_using_disabling_and_removing_leaves_nothing_and_warns_of_nothing(environment, archive, tmp_path):
     before = files(environment)
-    configuration.install(BLENDER, environment, archive)
-    assert any("dirichlet" in name for name in files(environment) - before)
-    configuration.run(BLENDER, environment, "import bpy; assert hasattr(bpy.types.Object, 'dirichlet')")
-    configuration.remove(BLENDER, environment, archive)
-    assert [name for name in files(environment) - before if "dirichlet" in name] == []
-    configuration.run(
-        BLENDER,
-        environment,
-        "import bpy; assert not any('dirichlet' in name for name in bpy.context.preferences.addons.keys())",
-    )
+    printed = [configuration.install(BLENDER, environment, archive)]
+    printed.append(configuration.run(BLENDER, environment, SAVE.format(file=str(tmp_path / "saved.blend"))))
+    used = own(environment)
+    assert any(name.endswith("dirichlet_isolines/__init__.py") for name in used - before)
+    printed.append(configuration.disable(BLENDER, environment, archive))
+    printed.append(configuration.run(BLENDER, environment, ABSENT))
+    assert own(environment) == used
+    printed.append(configuration.enable(BLENDER, environment, archive))
+    printed.append(configuration.remove(BLENDER, environment, archive))
+    printed.append(configuration.run(BLENDER, environment, ABSENT))
+    left = files(environment) - before
+    assert {name for name in left if "dirichlet" in name or not name.startswith(BLENDERS_OWN)} == set()
+    assert [text for text in printed if re.search("warn|error|leak", text, re.IGNORECASE)] == []
 
 
 def test_starting_with_it_prints_what_starting_without_it_prints(environment, archive):
@@ -110,6 +131,8 @@ def test_starting_with_it_prints_what_starting_without_it_prints(environment, ar
 
     before = printed()
     configuration.install(BLENDER, environment, archive)
+    assert printed() == before
+    configuration.disable(BLENDER, environment, archive)
     assert printed() == before
     configuration.remove(BLENDER, environment, archive)
     assert printed() == before

@@ -162,6 +162,19 @@ def test_window_follows_the_field_until_it_is_set():
     assert list(make(obj).data["dirichlet_level"]) == [5, 7]
 
 
+def test_a_window_never_set_begins_as_the_whole_range():
+    obj = painted_grid(columns=9)
+    obj.dirichlet.patches[1].value = 8.0
+    bpy.ops.dirichlet.solve_field()
+    settings = obj.dirichlet
+    settings.window_auto = False
+    assert (settings.window_low, settings.window_high) == (0, 8)
+    settings.window_low = 2
+    settings.window_auto = True
+    settings.window_auto = False
+    assert (settings.window_low, settings.window_high) == (2, 8)
+
+
 def test_lines_take_the_color_of_their_level_on_the_ramp(addon, sheet):
     sheet.dirichlet.levels_mode, sheet.dirichlet.levels_list = "LIST", "0.25 0.6"
     curve = make(sheet).data

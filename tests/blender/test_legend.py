@@ -88,3 +88,14 @@ def test_labels_name_the_range_and_give_way_to_the_window(legend, sheet):
     assert legend.labels(sheet) == [(0.0, "-1"), (1.0, "3")]
     sheet.dirichlet.window_low, sheet.dirichlet.window_high = -0.9, 1.0
     assert legend.labels(sheet) == [(pytest.approx(0.025), "-0.9"), (pytest.approx(0.5), "1"), (1.0, "3")]
+
+
+def test_listed_levels_have_no_window(legend, sheet):
+    settings = sheet.dirichlet
+    settings.window_low, settings.window_high = 0.0, 1.0
+    assert legend.window(sheet) == pytest.approx((0.25, 0.5))
+    settings.levels_mode, settings.levels_list = "LIST", "-0.5, 0.5, 2.5"
+    assert legend.window(sheet) == (0, 1)
+    assert legend.labels(sheet) == [(0.0, "-1"), (1.0, "3")]
+    bpy.ops.dirichlet.make_isolines()
+    assert list(settings.isolines.data["dirichlet_level"]) == [-0.5, 0.5, 2.5]

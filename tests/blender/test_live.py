@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Live: field, colours and lines follow what they depend on. Without a window no timer runs, so tests call it."""
 
+from importlib import import_module
+
 import bpy
 import numpy as np
 import pytest
@@ -29,6 +31,17 @@ def test_levels_that_cannot_be_had_do_not_hold_the_field_back(live, surface, gri
     settle(live)
     assert grid_live.dirichlet.results.problem == ""
     assert live.preview_of(grid_live).lines.levels.tolist() == [0.5]
+
+
+def test_what_holds_lines_back_is_translated_where_it_is_written_and_not_in_another_thread(live, surface, monkeypatch):
+    follower = import_module(live.__name__.removesuffix("live") + "follower")
+    monkeypatch.setattr(follower, "told", None)
+
+    class Refused:
+        def compute(self, values, most):
+            raise surface.InputError("the window from 1 to 0 is empty")
+
+    assert follower._Work(None, None, {0: Refused()}, None).compute()[2] == "the window from 1 to 0 is empty"
 
 
 @pytest.mark.parametrize(
@@ -102,6 +115,28 @@ def test_nothing_is_read_under_a_moving_brush(live, surface, grid_live, monkeypa
     assert live._tick() is not None
     assert np.array_equal(field_of(grid_live), before)
     set_delay(live, monkeypatch, 0.0)  # the brush has rested long enough
+    assert live._tick() is None
+    assert_current(surface, grid_live)
+
+
+def test_a_value_is_followed_in_the_evaluation_that_it_causes(live, surface, grid_live, monkeypatch):
+    monkeypatch.setattr(live, "_brush_may_move", lambda: True)
+    set_delay(live, monkeypatch, 1e9)
+    grid_live.dirichlet.patches[1].value = 2.5
+    bpy.context.view_layer.update()  # which tells of object and mesh, as for a stroke
+    assert_current(surface, grid_live)
+    assert not live.is_pending(grid_live)
+
+
+def test_a_value_that_is_dragged_on_a_large_mesh_is_waited_for(live, surface, grid_live, monkeypatch):
+    monkeypatch.setattr(live, "_brush_may_move", lambda: True)
+    monkeypatch.setattr(live, "_INLINE", len(grid_live.data.vertices) - 1)
+    set_delay(live, monkeypatch, 1e9)
+    before = field_of(grid_live)
+    grid_live.dirichlet.patches[1].value = 2.5
+    bpy.context.view_layer.update()
+    assert np.array_equal(field_of(grid_live), before)
+    set_delay(live, monkeypatch, 0.0)
     assert live._tick() is None
     assert_current(surface, grid_live)
 

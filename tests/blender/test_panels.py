@@ -62,6 +62,17 @@ def test_levels_are_picked_on_the_mesh_object_alone(result, bound):
     assert "dirichlet.pick_level" not in shown
 
 
+def test_the_window_says_why_it_rests_while_levels_are_listed(sheet):
+    def state():
+        layout = Layout()
+        bpy.types.DIRICHLET_PT_field.draw(SimpleNamespace(layout=layout), context())
+        return layout.enabled, "The levels are listed: no window chooses them" in layout.drawn
+
+    assert state() == (True, False)
+    sheet.dirichlet.levels_mode = "LIST"
+    assert state() == (False, True)
+
+
 def test_a_result_that_the_user_deleted_has_no_switches(result):
     assert {"follow", "locked"} < set(drawn("DIRICHLET_PT_isolines"))
     bpy.ops.object.select_all(action="DESELECT")
@@ -77,6 +88,30 @@ def test_a_disowned_result_says_so_and_shows_settings_of_its_own(result):
     assert any("is gone" in text for text in shown)
     assert {"dirichlet.result_remove", "source", "levels_mode"} < set(shown)
     drawn("DIRICHLET_PT_result_sidebar_shape")
+
+
+def test_presets_miss_no_folder_that_another_blender_removed_when_it_ended(addon, sheet):
+    panels = importlib.import_module(f"{addon.__name__}.ui.field.presets_panel")
+    panels.unregister()
+    panels.register()
+    shown = presets_drawn(panels)
+    assert not any("Missing" in text for text in shown)
+    assert "dirichlet.copy_settings" in shown
+
+
+def test_presets_are_drawn_where_no_folder_can_be_made(addon, sheet, tmp_path, monkeypatch, capfd):
+    panels = importlib.import_module(f"{addon.__name__}.ui.field.presets_panel")
+    (tmp_path / "file").touch()
+    monkeypatch.setattr(panels, "_folder", lambda **options: tmp_path / "file" / "presets")
+    assert "dirichlet.copy_settings" in presets_drawn(panels)
+    assert "Traceback" not in capfd.readouterr().err
+
+
+def presets_drawn(panels):
+    kind, layout = panels.DIRICHLET_PT_presets, Layout()
+    of_presets = {name: getattr(kind, name) for name in dir(kind) if name.startswith(("preset_", "path_"))}
+    kind.draw(type("Shown", (), {**of_presets, "layout": layout})(), bpy.context)
+    return layout.drawn
 
 
 def test_what_there_is_to_say_moves_nothing(addon, sheet):

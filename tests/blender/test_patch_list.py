@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 import pytest
 from refusal import assert_refused
-from scene import colors_of, field_of, grid, library_mesh, paint, painted_grid, painted_sphere
+from scene import colors_of, field_of, grid, library_mesh, paint, painted_grid, painted_sphere, select
 
 
 def names(obj):
@@ -179,6 +179,79 @@ def test_a_group_that_is_listed_twice_is_called_that():
     assert first.problem.startswith("The vertex group is in the list twice; Not a disc")
     assert second.problem.startswith("The vertex group is in the list twice; Overlaps 'b'; Not connected")
     assert "twice" not in last.problem
+
+
+def problems(obj):
+    return {patch.group: patch.problem for patch in obj.dirichlet.patches}
+
+
+def test_a_copy_overlaps_its_original_at_once_and_no_more_when_that_is_removed():
+    obj = grid()
+    disc(obj)
+    bpy.ops.dirichlet.patch_duplicate()
+    assert problems(obj) == {"p": "Overlaps 'p.001'", "p.001": "Overlaps 'p'"}
+    obj.dirichlet.active_patch = 0
+    bpy.ops.dirichlet.patch_remove()
+    assert problems(obj) == {"p.001": ""}
+
+
+def from_borders(obj):
+    bpy.ops.dirichlet.patches_from_borders()
+
+
+def from_attribute(obj):
+    spots = obj.data.attributes.new("spots", "BOOLEAN", "POINT")
+    spots.data.foreach_set("value", [vertex in (13, 14, 25, 26) for vertex in range(len(obj.data.vertices))])
+    bpy.ops.dirichlet.patches_from_attribute(attribute="spots")
+
+
+def from_group(obj):
+    obj.vertex_groups.new(name="group").add([13, 14, 25, 26], 1.0, "REPLACE")
+    bpy.ops.dirichlet.patch_add_group(group="group")
+
+
+def by_disc(obj):
+    bpy.ops.dirichlet.add_patch_disc(location=(1, 1, 0), radius=1.5)
+
+
+def from_selected(obj):
+    select(obj, [13, 14, 25, 26])
+    bpy.ops.dirichlet.patch_add_selected()
+
+
+ADDING = [from_borders, from_attribute, from_group, from_selected, by_disc]
+
+
+@pytest.mark.parametrize("add", ADDING)
+def test_a_patch_that_is_added_over_another_is_told_at_once(add):
+    obj = grid()
+    paint(obj, "p", [0, 1, 12, 13])
+    add(obj)
+    added = obj.dirichlet.patches[-1]
+    assert added.vertices >= 4
+    assert problems(obj) == {"p": f"Overlaps '{added.group}'", added.group: "Overlaps 'p'"}
+
+
+def test_a_new_empty_patch_is_not_called_empty_before_it_could_be_painted():
+    obj = grid()
+    bpy.ops.dirichlet.patch_add_group()
+    assert problems(obj) == {"Patch": ""}
+
+
+def test_the_list_of_a_large_mesh_changes_without_reading_it(module, monkeypatch):
+    obj = grid()
+    monkeypatch.setattr(module("paint.patches"), "QUICK", len(obj.data.vertices) - 1)
+    disc(obj)
+    bpy.ops.dirichlet.patch_duplicate()
+    assert problems(obj) == {"p": "", "p.001": ""}
+
+
+def test_a_row_that_cannot_be_read_keeps_nobody_from_changing_the_list():
+    obj = grid()
+    disc(obj)
+    obj.dirichlet.patches.add().group = "nobody"
+    bpy.ops.dirichlet.patch_duplicate()
+    assert names(obj) == ["p", "p.001", "nobody"]
 
 
 def test_solving_counts_and_checks_the_patches():

@@ -78,22 +78,36 @@ def test_no_lines_are_no_segments(segments):
     assert pairs.shape == (0, 2)
 
 
-def test_lines_that_a_result_draws_as_tubes_are_known(addon, live, grid_live):
-    geometry = importlib.import_module(f"{addon.__name__}.blender.lines.preview_geometry")
+def test_lines_that_a_result_draws_as_tubes_are_known(module, live, grid_live, monkeypatch):
+    geometry = module("lines.preview_geometry")
+    draw = geometry.draw
     settings = grid_live.dirichlet
     settings.preview = True
     bpy.ops.dirichlet.make_isolines()
     settle(live)
     result, shown = settings.isolines, live.preview_of(grid_live).lines
-    assert geometry.is_drawn_by(result, shown)
+    assert geometry.is_drawn_by(result, geometry.Shown(shown))
+    with_a_point = dataclasses.replace(
+        shown,
+        points=np.concatenate((shown.points, [(9, 9, 9)] * 2)),
+        offsets=np.append(shown.offsets, shown.offsets[-1] + 2),
+        **{name: np.append(getattr(shown, name), getattr(shown, name)[-1:]) for name in ("closed", "level")},
+        length=np.append(shown.length, 0.0),
+    )
+    assert geometry.is_drawn_by(result, geometry.Shown(with_a_point))  # that no tube goes along
+    drawings = []
+    monkeypatch.setattr(geometry, "draw", lambda *args, **named: drawings.append(draw(*args, **named)) or drawings[-1])
+    redrawn = geometry.Shown(with_a_point)
+    assert all(geometry.is_drawn_by(result, redrawn) for _ in range(3))
+    assert len(drawings) == 1
     moved = dataclasses.replace(shown, points=shown.points + 5.0)
-    assert not geometry.is_drawn_by(result, moved)
+    assert not geometry.is_drawn_by(result, geometry.Shown(moved))
     settings.bevel_depth = 0
-    assert not geometry.is_drawn_by(result, shown)
+    assert not geometry.is_drawn_by(result, geometry.Shown(shown))
     settings.bevel_depth = 0.01
     result.dirichlet_isolines.locked, settings.count = True, 5
     settle(live)
-    assert not geometry.is_drawn_by(result, live.preview_of(grid_live).lines)
+    assert not geometry.is_drawn_by(result, geometry.Shown(live.preview_of(grid_live).lines))
 
 
 def test_nothing_draws_in_background(make_handler):

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fields and lines computed beside the interface, and what may happen to their object meanwhile."""
 
+import importlib
 import time
+from contextlib import suppress
 from threading import current_thread, main_thread
+from types import SimpleNamespace
 
 import bpy
 import pytest
@@ -53,6 +56,46 @@ def test_steps_are_computed_in_another_thread_and_written_in_the_main_one(module
     assert finish(module("work").Background(work()))
     assert (threads[0], threads[2]) == (main_thread(), main_thread())
     assert threads[1] != main_thread()
+
+
+def test_progress_counts_vertices_and_not_objects(module):
+    small, large = painted_sphere(2, name="small"), painted_sphere(4, name="large")
+    objects = small, large
+    share = len(small.data.vertices) / sum(len(obj.data.vertices) for obj in objects)
+    for work in (module("several").solve_fields, module("several").make_isolines):
+        told = []
+        module("work").run(work(objects), told.append)
+        assert told == sorted(told)
+        assert told[-1] == pytest.approx(share + 0.3 * (1 - share))
+
+
+def steps_of(work):
+    """What is done one after the other."""
+    with suppress(StopIteration):
+        step = next(work)
+        while True:
+            yield step
+            step = work.send(step.compute())
+
+
+def test_every_step_says_what_it_does(module):
+    obj, several = painted_sphere(), module("several")
+    assert [step.doing for step in steps_of(several.solve_fields([obj]))] == ["connecting the mesh", "solving"]
+    module("mesh.sessions").forget_all()
+    assert [step.doing for step in steps_of(several.make_isolines([obj]))] == ["connecting the mesh", "tracing lines"]
+
+
+def test_the_status_bar_names_operator_object_and_step(addon, module):
+    computing = importlib.import_module(f"{addon.__name__}.ui.computing")
+    shown, told = [], []
+    background = SimpleNamespace(step=module("work").Step("Ball", 0.3, int, "solving"))
+    operator = SimpleNamespace(_background=background, _begun=time.perf_counter() - 7, bl_label="Solve Field")
+    context = SimpleNamespace(
+        window_manager=SimpleNamespace(progress_update=told.append),
+        workspace=SimpleNamespace(status_text_set=shown.append),
+    )
+    computing.Computing._show_progress(operator, context)
+    assert (told, shown) == ([0.3], ["Solve Field: Ball, solving, 7 s     Esc: Cancel"])
 
 
 def test_what_is_dropped_has_written_nothing(solving):

@@ -127,3 +127,37 @@ def test_disabled_while_live_then_enabled_again(live, surface, addon, grid_live)
     grid_live.vertex_groups["left"].add([31], 1.0, "REPLACE")
     settle(live)
     assert_current(surface, grid_live)
+
+
+def test_enabled_again_it_catches_up_and_previews_by_itself(live, surface, addon, grid_live):
+    handlers = importlib.import_module(f"{addon.__name__}.ui.handlers")
+    grid_live.dirichlet.preview = True
+    settle(live)
+    addon.unregister()
+    try:
+        assert not bpy.app.timers.is_registered(handlers._enabled)
+        grid_live.vertex_groups["left"].add([30], 1.0, "REPLACE")
+        bpy.context.view_layer.update()
+    finally:
+        addon.register()
+    assert bpy.app.timers.is_registered(handlers._enabled)
+    handlers._enabled()  # which a window's timer would
+    settle(live)
+    assert live.preview_of(grid_live)
+    assert_current(surface, grid_live)
+
+
+def test_previews_are_there_again_after_loading_and_undo(live, grid_live, tmp_path):
+    grid_live.dirichlet.live, grid_live.dirichlet.preview = False, True
+    path = str(tmp_path / "preview.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=path)
+    bpy.ops.wm.open_mainfile(filepath=path)
+    settle(live)
+    assert live.preview_of(bpy.data.objects["Grid"])
+    bpy.ops.ed.undo_push(message="loaded")
+    bpy.data.objects.remove(bpy.data.objects["Grid"])
+    settle(live)
+    bpy.ops.ed.undo_push(message="deleted")
+    bpy.ops.ed.undo()
+    settle(live)
+    assert live.preview_of(bpy.data.objects["Grid"])

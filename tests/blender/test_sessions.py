@@ -38,10 +38,12 @@ def test_renamed_mesh_keeps_its_session(sessions):
     assert sessions.open_session(obj) is session
 
 
-def test_moved_vertices_make_another_mesh_and_keep_the_solver(sessions, pipeline):
+def test_moved_vertices_connect_no_faces_again_and_keep_the_solver(sessions, pipeline, surface, monkeypatch):
     obj = painted_grid()
     pipeline.solve_field(obj)
     session, before = sessions.open_session(obj), sessions.open_session(obj).mesh
+    monkeypatch.setattr(surface, "Mesh", lambda *_: pytest.fail("faces are connected again"))
+    session.deformed(before.positions + 1.0)
     obj.data.vertices[40].co.z = 1.0
     assert sessions.open_session(obj) is session
     assert session.mesh is not before

@@ -16,6 +16,10 @@ def test_large_meshes_are_computed_beside_the_interface(archive):
     run_inside("waiting", archive=archive, limit=300)
 
 
+def test_escape_ends_whatever_takes_long_on_four_million_vertices(archive):
+    run_inside("escaping", archive=archive, limit=600)
+
+
 def test_random_use_leaves_the_field_that_of_the_paint(archive):
     run_inside("soak", archive=archive, limit=300)
 

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import bpy
-import numpy as np
 
 from ... import library
 from ..held import Held
@@ -40,12 +39,7 @@ def add_level(obj: bpy.types.Object, location: Sequence[float]) -> Work:
         level, others = yield Step(held.name, 0.5, find)
     settings = held.find_mesh().dirichlet
     if options:
-        listed = ", ".join(map(_written, others))
-    settings.levels_list = f"{listed}, {_written(level)}" if listed else _written(level)
+        listed = ", ".join(map(levels.written, others))
+    settings.levels_list = ", ".join(filter(None, (listed, levels.written(level))))
     settings.levels_mode = "LIST"
     return Made([level], "")
-
-
-def _written(level: float) -> str:
-    """With as many digits as tell the field's numbers apart."""
-    return str(np.float32(level))

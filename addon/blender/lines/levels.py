@@ -28,8 +28,8 @@ class LevelOptions:
     window: tuple[float, float] | None  # None: the field's range
 
     def window_in(self, low: float, high: float) -> tuple[float, float]:
-        """The window of values in a field that ranges from `low` to `high`; a list of levels has none of its own."""
-        return (low, high) if self.mode == "LIST" or self.window is None else self.window
+        """The window of values in a field that ranges from `low` to `high`."""
+        return self.window or (low, high)
 
     def choose_on(self, mesh, values: NDArray[np.floating], cancel: Any) -> NDArray[np.float64]:
         """Ascending or as listed; mesh: the library's, values: (V,) of the field, not all NaN, cancel: the library's
@@ -62,15 +62,18 @@ class LevelOptions:
 
 
 def read_options(settings: bpy.types.PropertyGroup) -> LevelOptions:
-    """settings: a LineSettings."""
-    window = None if settings.window_auto else (_written(settings.window_low), _written(settings.window_high))
-    step, phase = _written(settings.step), _written(settings.phase)
+    """settings: a LineSettings, whose window has no say in levels that are listed."""
+    low, high, step, phase = (
+        float(written(getattr(settings, name))) for name in ("window_low", "window_high", "step", "phase")
+    )
+    window = None if settings.window_auto or settings.levels_mode == "LIST" else (low, high)
     return LevelOptions(settings.levels_mode, settings.count, step, phase, settings.levels_list, window)
 
 
-def _written(number: float) -> float:
-    """A property's as people write it: 0.1 is kept in float32, and would come back as 0.10000000149."""
-    return float(str(np.float32(number)))
+def written(number: float) -> str:
+    """What Blender keeps in float32 as people write it: 0.1 would come back as 0.10000000149. With as many digits as
+    tell such numbers apart."""
+    return str(np.float32(number))
 
 
 def parse_levels(text: str) -> NDArray[np.float64]:

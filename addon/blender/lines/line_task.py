@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ... import library
 from ...language import counted, say
+from ...sentences import told
 from .. import results
 from ..look import ramp
 from ..mesh import attributes, evaluated, meshes
@@ -167,7 +168,7 @@ def write(
     drawn = result_drawing.write(obj, result, lines, outcome.colors, outcome.factors)
     task.clock.lap("write")
     seconds = task.clock.laps | {"connectivity": task.mesh.build_seconds}
-    warnings = (*doubts, *task.warnings, *lines.warnings, *(() if len(lines) else (_no_lines(),)))
+    warnings = (*doubts, *task.warnings, *map(told, lines.warnings), *(() if len(lines) else (_no_lines(),)))
     made = IsolineResult(lines, drawn, warnings, seconds)
     if result_objects.find(obj) == drawn:
         results.record_isolines(obj.dirichlet.results, made)

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from functools import cached_property
+from typing import Any, NamedTuple
 
 import bpy
 import numpy as np
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from ... import library
 from ..names import LENGTH
 from .outputs import curve
-from .outputs.drawing import draw
+from .outputs.drawing import Drawing, draw
 
 
 class Segments(NamedTuple):
@@ -31,10 +32,29 @@ def segments(lines, colors: NDArray[np.float32]) -> Segments:
     return Segments(drawing.points, drawing.per_point(shown), drawing.segments())
 
 
-def is_drawn_by(result: bpy.types.Object, lines) -> bool:
-    """Whether the result has tubes along just these lines: then lines drawn over them are seen twice."""
-    tubes = result.type == curve.TYPE and result.data.bevel_depth > 0
-    return tubes and np.array_equal(result.data.get(LENGTH, ()), lines.length) and _begin_alike(result.data, lines)
+class Shown:
+    """Lines that are shown until they change, however often that is."""
+
+    def __init__(self, lines: Any) -> None:
+        """lines: the library's Isolines."""
+        self.lines = lines
+
+    @cached_property
+    def drawing(self) -> Drawing:
+        """Without mere points."""
+        return draw(self.lines, np.empty((0, 4), np.float32), np.empty(0, np.float32), radius=0.0)
+
+
+def is_drawn_by(result: bpy.types.Object, shown: Shown) -> bool:
+    """Whether the result has tubes along just these lines: then lines drawn over them are seen twice. Cost: O(L), but
+    for the first time that there are mere points among them."""
+    lines: Any = shown.lines
+    if result.type != curve.TYPE or result.data.bevel_depth <= 0:
+        return False
+    lengths = np.array(result.data.get(LENGTH, ()))
+    if len(lengths) < len(lines.length) and np.isclose(lengths.sum(), lines.length.sum()):
+        lines = shown.drawing
+    return np.array_equal(lengths, lines.length) and _begin_alike(result.data, lines)
 
 
 def _begin_alike(drawn: bpy.types.Curve, lines) -> bool:

@@ -48,6 +48,16 @@ def _levels(obj: bpy.types.Object, low: float, high: float) -> NDArray[np.float6
     return np.empty(0)
 
 
+def window(obj: bpy.types.Object) -> tuple[float, float]:
+    """Places on the bar of the ends of the window."""
+    settings = obj.dirichlet
+    return (settings.window_low_place, settings.window_high_place) if _has_window(settings) else (0.0, 1.0)
+
+
+def _has_window(settings: bpy.types.PropertyGroup) -> bool:
+    return levels.read_options(settings).window is not None
+
+
 def shades(window: tuple[float, float]) -> Points:
     """Triangles over what is outside of the window, given by its places on the bar."""
     below, above = _across(np.array([0.0, window[0]])), _across(np.array([window[1], 1.0]))
@@ -64,7 +74,7 @@ def labels(obj: bpy.types.Object) -> list[tuple[float, str]]:
     """Places and texts: the window's ends, and those of the range where there is room left."""
     settings, results = obj.dirichlet, obj.dirichlet.results
     ends = [(0.0, results.minimum), (1.0, results.maximum)]
-    if not settings.window_auto:
+    if _has_window(settings):
         ends = [
             (settings.window_low_place, settings.window_low),
             (settings.window_high_place, settings.window_high),

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ... import library
+from ...language import say
 from .. import expected_memory, preferences
 from ..held import Held
 from ..work import Step, run
@@ -47,7 +48,7 @@ class Session:
     def deformed(self, positions: NDArray[np.float64]) -> Any:
         """The library's Mesh with the vertices elsewhere (V, 3), the same one for the same positions."""
         if self._deformed is None or not np.array_equal(self._deformed.positions, positions):
-            self._deformed = library.load().Mesh(positions, (self.arrays.offsets, self.arrays.corners))
+            self._deformed = self.mesh.moved(positions)
         return self._deformed
 
     def paint(
@@ -146,7 +147,8 @@ def opening(held: Held, part: float = 0.0) -> Generator[Step, Any, Session]:
     if session and session.arrays.same(arrays):
         return _put(obj, session)
     preferences.limit_threads()
-    mesh = yield Step(held.name, part, partial(meshes.build, arrays))
+    known = session.mesh if session and session.arrays.same_faces(arrays) else None
+    mesh = yield Step(held.name, part, partial(meshes.build, arrays, known), say("connecting the mesh"))
     obj = held.find_mesh()
     session = _sessions.get(obj.data.as_pointer())
     if session and session.arrays.same_faces(arrays):  # what knows of positions looks at the mesh

@@ -80,5 +80,6 @@ def add_disc(obj: bpy.types.Object, location: Sequence[float], radius: float, fa
             )
         )
     patches.add_group(obj, "Disc", disc.vertices)
+    patches.recheck(obj)
     obj.dirichlet.disc_radius = radius
     return len(disc.vertices)

@@ -58,6 +58,7 @@ def _add_patches(held: Held, name: str, finding: Finding) -> Work:
     obj = held.find_mesh()
     for vertices in sets:
         patches.add_group(obj, name, vertices)
+    patches.recheck(obj)
     return Made([], counted(len(sets), "1 patch added", "{count} patches added"))
 
 

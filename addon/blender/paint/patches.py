@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import partial
 from typing import Any
 
@@ -16,8 +17,10 @@ from ...language import say
 from .. import preferences, settings
 from ..held import Held
 from ..mesh import groups, sessions
-from ..work import Made, Step, Work
+from ..work import Made, Step, Work, run
 from . import painting
+
+QUICK = 200_000  # vertices up to which patches are looked at whenever they change
 
 
 def add(obj: bpy.types.Object, group: str) -> None:
@@ -46,6 +49,7 @@ def duplicate(obj: bpy.types.Object) -> None:
     copy.group = name
     rows.move(len(rows) - 1, row + 1)
     obj.dirichlet.active_patch = row + 1
+    recheck(obj)
 
 
 def move(obj: bpy.types.Object, step: int) -> bool:
@@ -63,6 +67,7 @@ def remove(obj: bpy.types.Object) -> None:
     rows, row = obj.dirichlet.patches, obj.dirichlet.active_patch
     rows.remove(row)
     obj.dirichlet.active_patch = max(0, min(row, len(rows) - 1))
+    recheck(obj)
 
 
 def check(obj: bpy.types.Object) -> Work:
@@ -73,6 +78,14 @@ def check(obj: bpy.types.Object) -> Work:
     facts = yield Step(held.name, 0.5, partial(inspect, session.mesh, painted))
     record_facts(held.find_mesh(), painted, facts)
     return Made([], "")
+
+
+def recheck(obj: bpy.types.Object) -> None:
+    """Checks all rows at once, unless the mesh is so large that nobody would wait for it. What cannot be read keeps
+    nobody from changing the list: who checks or solves is told."""
+    if len(obj.data.vertices) <= QUICK:
+        with suppress(library.LibraryMissingError), suppress(*library.refusals()):
+            run(check(obj))
 
 
 def inspect(mesh: Any, painted: Sequence[Any]) -> list[Any]:

@@ -52,7 +52,7 @@ def _draw_bar(obj: bpy.types.Object) -> None:
     """In the unit square."""
     from ...blender.look import legend_geometry
 
-    window = obj.dirichlet.window_low_place, obj.dirichlet.window_high_place
+    window = legend_geometry.window(obj)
     shader = gpu.shader.from_builtin("SMOOTH_COLOR")
     points, colors = legend_geometry.bar(obj)
     batch_for_shader(shader, "TRI_STRIP", {"pos": points, "color": colors}).draw(shader)

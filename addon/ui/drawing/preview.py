@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-import traceback
 from collections.abc import Iterator
-from typing import NamedTuple
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import bpy
 import gpu
@@ -15,14 +15,25 @@ from ...blender.lines import result_objects
 from . import line_drawing
 from .draw_handler import DrawHandler
 
+if TYPE_CHECKING:
+    from ...blender.follower import Preview  # brings NumPy
+
 _drawn: dict[int, _Drawn] = {}  # by the address of the object
 
 
-class _Drawn(NamedTuple):
-    """What the graphics card has of an object's Preview."""
+class _Drawn:
+    """An object's Preview as it is drawn over and over."""
 
-    version: int
-    batch: gpu.types.GPUBatch | None  # None: there is nothing to draw, or it cannot be drawn
+    def __init__(self, preview: Preview) -> None:
+        from ...blender.lines import preview_geometry
+
+        self.version, self._colors = preview.version, preview.colors
+        self.shown = preview_geometry.Shown(preview.lines)
+
+    @cached_property
+    def batch(self) -> gpu.types.GPUBatch | None:
+        """What the graphics card has of it. None: there is nothing to draw, or it cannot be drawn."""
+        return line_drawing.build(self.shown.lines, self._colors)
 
 
 def register() -> None:
@@ -50,16 +61,20 @@ def _draw() -> None:
 
     for obj in _shown(bpy.context):
         preview, key = live.preview_of(obj), obj.as_pointer()
-        if preview is None or _is_drawn_already(obj, preview):
+        if preview is None:
+            _drawn.pop(key, None)
             continue
+        if key not in _drawn or _drawn[key].version != preview.version:
+            _forget_unused()
+            _drawn[key] = _Drawn(preview)
+        drawn = _drawn[key]
         try:
-            if key not in _drawn or _drawn[key].version != preview.version:
-                _forget_unused()
-                _drawn[key] = _Drawn(preview.version, line_drawing.build(preview.lines, preview.colors))
-            if _drawn[key].batch:
-                _draw_lines(obj, _drawn[key].batch)
+            if drawn.batch and not _is_drawn_already(obj, drawn):
+                _draw_lines(obj, drawn.batch)
         except Exception:
-            _drawn[key] = _Drawn(preview.version, None)
+            import traceback
+
+            drawn.batch = None
             traceback.print_exc()
 
 
@@ -77,7 +92,7 @@ def _shown(context: bpy.types.Context) -> Iterator[bpy.types.Object]:
                 yield obj
 
 
-def _is_drawn_already(obj: bpy.types.Object, preview) -> bool:
+def _is_drawn_already(obj: bpy.types.Object, drawn: _Drawn) -> bool:
     """Whether this viewport shows a result of the same lines; through surfaces only the preview is seen."""
     from ...blender.lines import preview_geometry
 
@@ -85,7 +100,7 @@ def _is_drawn_already(obj: bpy.types.Object, preview) -> bool:
     if result is None or obj.dirichlet.preview_xray:
         return False
     visible = result.visible_get(view_layer=context.view_layer, viewport=context.space_data)
-    return visible and preview_geometry.is_drawn_by(result, preview.lines)
+    return visible and preview_geometry.is_drawn_by(result, drawn.shown)
 
 
 def _draw_lines(obj: bpy.types.Object, batch: gpu.types.GPUBatch) -> None:

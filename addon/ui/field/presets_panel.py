@@ -20,6 +20,8 @@ class DIRICHLET_PT_presets(PresetPanel, bpy.types.Panel):
     preset_extensions = {".py"}
 
     def draw(self, context):
+        with suppress(OSError):  # without it the list complains; another Blender may have removed it when it ended
+            _folder().mkdir(parents=True, exist_ok=True)
         layout = self.layout
         layout.emboss = "PULLDOWN_MENU"
         layout.operator_context = "EXEC_DEFAULT"
@@ -27,7 +29,7 @@ class DIRICHLET_PT_presets(PresetPanel, bpy.types.Panel):
         for name, preset in PRESETS.items():
             column.operator("dirichlet.apply_preset", text=preset.label).preset = name
         layout.separator()
-        super().draw(context)
+        PresetPanel.draw(self, context)
         layout.separator()
         layout.operator("dirichlet.copy_settings", icon="COPYDOWN")
 
@@ -37,13 +39,12 @@ def _draw_copy(menu: bpy.types.Menu, context: bpy.types.Context) -> None:
     menu.layout.operator("dirichlet.copy_settings", text="Copy Isoline Settings")
 
 
-def _folder(create: bool = False) -> Path:
+def _folder() -> Path:
     """Where the user's presets are kept."""
-    return Path(bpy.utils.user_resource("SCRIPTS", path=f"presets/{SUBDIRECTORY}", create=create))
+    return Path(bpy.utils.user_resource("SCRIPTS", path=f"presets/{SUBDIRECTORY}"))
 
 
 def register() -> None:
-    _folder(create=True)  # else the list complains
     bpy.types.VIEW3D_MT_make_links.append(_draw_copy)
 
 

@@ -50,7 +50,7 @@ class LineSettings(ShapeSettings):
         name="Whole Range",
         description="The window is the whole range of the field; off takes the low and high end set here",
         default=True,
-        update=callbacks.lines_changed,
+        update=callbacks.window_auto_changed,
     )
     window_low: FloatProperty(
         name="Low",

@@ -5,7 +5,7 @@ import bpy
 from bpy.props import FloatVectorProperty
 
 from ...language import label, say
-from ..common import poll_field, poll_mesh
+from ..common import enum_name, poll_field, poll_mesh
 from ..computing import Computing
 from ..drawing import pointer
 
@@ -35,7 +35,7 @@ class DIRICHLET_OT_pick_level(Computing, bpy.types.Operator):
         from ...blender.lines import level_picking
 
         settings = objects[0].dirichlet
-        self._mode = bpy.types.UILayout.enum_item_name(settings, "levels_mode", settings.levels_mode)
+        self._mode = label(enum_name(settings, "levels_mode"))
         self._listed = settings.levels_mode == "LIST"
         return level_picking.add_level(objects[0], self.location)
 

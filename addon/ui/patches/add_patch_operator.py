@@ -35,7 +35,10 @@ class DIRICHLET_OT_add_patch_disc(Computing, bpy.types.Operator):
         precision=4,
     )
     face: IntProperty(
-        name="Face", description="Polygon with the middle, where known; -1: the nearest", default=-1, options={"HIDDEN"}
+        name="Face",
+        description="Polygon with the middle, where known; -1: the nearest",
+        default=-1,
+        options={"HIDDEN", "SKIP_SAVE"},
     )
 
     @classmethod
@@ -80,7 +83,9 @@ class DIRICHLET_OT_add_patch_disc(Computing, bpy.types.Operator):
             self.report({"ERROR"}, say("There is nothing of '{object}' under the pointer", object=name))
             return {"CANCELLED"}
         status = self.start(context, self.choose(context))
-        if self._disc:
+        if self._disc and status == {"CANCELLED"}:  # it could not be shown
+            self._end()
+        elif self._disc:
             context.window_manager.modal_handler_add(self)
         return status
 

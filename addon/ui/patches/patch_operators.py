@@ -47,6 +47,7 @@ class DIRICHLET_OT_patch_add_group(bpy.types.Operator):
         names = [self.group] if self.group else _unlisted(obj)
         if names:
             patches.add(obj, names[0])
+            patches.recheck(obj)
         else:
             patches.add_group(obj, "Patch", ())
         return {"FINISHED"}
@@ -81,6 +82,7 @@ class DIRICHLET_OT_patch_add_selected(bpy.types.Operator):
             )
             return {"CANCELLED"}
         patches.add_group(obj, "Patch", selected)
+        patches.recheck(obj)
         return {"FINISHED"}  # still outside: an undo step made in Edit Mode has no list of patches
 
 

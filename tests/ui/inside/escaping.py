@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A mesh of four million vertices: whatever takes long shows how far it is, Esc ends it, and nothing has changed:
+"""A mesh of four million vertices: whatever takes long shows how far it is, Esc ends it, and nothing has changed.
 
-    python3 tests/ui/window.py escaping
-
-Not among the tests that run by themselves: on a quick machine some of it is done before a picture is taken and Esc
-pressed. What Esc does to each of these works is tested without a window, in tests/blender/test_cancelling.py.
+Borders are found before a picture is taken and Esc pressed: dropping them is tested without a window.
 """
 
 import bpy
@@ -13,7 +10,7 @@ import hand
 import numpy as np
 import scene
 import screen
-from screen import invoke
+from screen import forget_meshes, invoke, wait_for_nothing
 from steps import Waiting, finished, picture, run, until
 
 SIDE = 2000  # vertices
@@ -47,13 +44,6 @@ def make_sheet() -> bpy.types.Object:
     return obj
 
 
-def forget_the_mesh() -> None:
-    """So that all of the work is to be done."""
-    from dirichlet_isolines.blender.mesh import sessions
-
-    sessions.forget_all()
-
-
 def facts() -> tuple:
     obj = sheet()
     rows = [(row.group, row.vertices, row.problem) for row in obj.dirichlet.patches]
@@ -61,6 +51,7 @@ def facts() -> tuple:
 
 
 def start() -> Waiting:
+    wait_for_nothing()
     bpy.ops.object.delete()
     obj = make_sheet()
     scene.paint(obj, "left", range(0, SIDE * SIDE, SIDE), 0.0)
@@ -77,11 +68,12 @@ def start() -> Waiting:
 
 def escape(name: str, **properties) -> Waiting:
     """Begins the operator and presses Esc when it has shown itself: all is as it was, and stays so."""
-    forget_the_mesh()
+    forget_meshes()
     before = facts()
-    assert invoke(name, **properties) == {"RUNNING_MODAL"}, name
-    yield from picture(name)
-    yield from hand.press("Escape")
+    with screen.going_on():
+        assert invoke(name, **properties) == {"RUNNING_MODAL"}, name
+        yield from picture(name)
+        yield from hand.press("Escape")
     assert facts() == before, name
     yield 1
     assert facts() == before, name
@@ -99,10 +91,6 @@ def escape_drops_checking() -> Waiting:
     yield from escape("check_patches")
 
 
-def escape_drops_borders() -> Waiting:
-    yield from escape("patches_from_borders")
-
-
 def escape_drops_pieces() -> Waiting:
     yield from escape("patches_from_pieces")
 
@@ -111,23 +99,28 @@ def escape_drops_what_a_dialog_began() -> Waiting:
     before = facts()
     assert invoke("patches_from_attribute", attribute="islands") == {"RUNNING_MODAL"}
     yield 1
-    yield from hand.press("Return")
-    yield from picture("islands")
-    yield from hand.press("Escape")
+    with screen.going_on() as begun:
+        yield from hand.press("Return")
+        yield from until(begun)
+        yield from picture("islands")
+        yield from hand.press("Escape")
+    assert facts() == before
     yield 1
     assert facts() == before
 
 
 def escape_drops_the_first_press_of_add_patch() -> Waiting:
-    forget_the_mesh()
+    forget_meshes()
     before = facts()
     with screen.at():
         bpy.ops.wm.tool_set_by_id(name="dirichlet.add_patch")
     yield 1
-    yield from finished("xdotool", "mousemove", *screen.pixel_of((0.5, 0.5, 0)), "sleep", 0.3, "mousedown", 1)
-    yield 1
-    yield from picture("first-press")
-    yield from hand.press("Escape")
+    with screen.going_on() as begun:
+        yield from finished("xdotool", "mousemove", *screen.pixel_of((0.5, 0.5, 0)), "sleep", 0.3, "mousedown", 1)
+        yield from until(begun)
+        yield 0.5
+        yield from picture("first-press")
+        yield from hand.press("Escape")
     yield from finished("xdotool", "mouseup", 1)
     yield 1
     assert facts() == before
@@ -143,7 +136,7 @@ def the_press_after_it_adds_a_patch() -> Waiting:
 
 
 def what_is_not_cancelled_is_done() -> Waiting:
-    forget_the_mesh()
+    forget_meshes()
     sheet().dirichlet.smooth, sheet().dirichlet.levels_mode = 0, "EVEN"
     assert invoke("patches_from_borders") == {"RUNNING_MODAL"}
     yield 0.5
@@ -167,7 +160,6 @@ run(
     escape_drops_solving,
     escape_drops_tracing,
     escape_drops_checking,
-    escape_drops_borders,
     escape_drops_pieces,
     escape_drops_what_a_dialog_began,
     escape_drops_the_first_press_of_add_patch,

@@ -61,7 +61,7 @@ def first_field() -> Waiting:
 
 def preview_and_window() -> Waiting:
     settings = head().dirichlet
-    yield from screen.press("preview", 0.22)
+    yield from screen.press("preview", 0.22, 0.17)
     settings.count, settings.legend = 24, True
     x, y = yield from screen.find("window_low_place", 0.2)
     yield from hand.drag(hand.line((x, y), (x + 30, y)), 0.2)

@@ -2,8 +2,9 @@
 """Where things are in Blender's window, in pixels counted from its upper left corner."""
 
 import re
-from collections.abc import Generator
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Generator, Iterator
+from contextlib import AbstractContextManager, contextmanager
+from unittest.mock import patch
 
 import bpy
 import hand
@@ -61,15 +62,16 @@ def open_tab(panel: type[bpy.types.Panel]) -> Waiting:
     assert drawn, "no tab has the panel"
 
 
-def find(name: str, across: float = 0.6) -> Generator[float, None, Pixel]:
-    """Looks for a button in the sidebar, `across` of its width from the left, scrolling it to its end and back: an
-    operator's or a property's name. The pixel is the generator's value."""
+def find(name: str, *across: float) -> Generator[float, None, Pixel]:
+    """Looks for a button in the sidebar, `across` of its width from the left (or there, where later Blenders have it),
+    scrolling it to its end and back: an operator's or a property's name. The pixel is the generator's value."""
     for wheel in (None, *[_WHEEL_DOWN] * 3, *[_WHEEL_UP] * 3):
         side = region("UI")
-        x, top = round(side.x + across * side.width), window().height - side.y - side.height
+        columns = [round(side.x + share * side.width) for share in across or (0.6,)]
+        top = window().height - side.y - side.height
         if wheel:
-            yield from hand.click((x, top + side.height // 2), wheel, times=6)
-        places = [(x, y) for y in range(top + 4, top + side.height, 8)]
+            yield from hand.click((columns[0], top + side.height // 2), wheel, times=6)
+        places = [(x, y) for x in columns for y in range(top + 4, top + side.height, 8)]
         for pixel in [_seen.get(name, places[0]), *places]:
             yield from hand.move(pixel)
             if re.search(rf"\b{name}\b", _under_pointer()):
@@ -78,9 +80,9 @@ def find(name: str, across: float = 0.6) -> Generator[float, None, Pixel]:
     raise AssertionError(f"no button '{name}' in the sidebar")
 
 
-def press(name: str, across: float = 0.6) -> Waiting:
+def press(name: str, *across: float) -> Waiting:
     """Clicks a button of the sidebar: see `find`."""
-    yield from hand.click((yield from find(name, across)))
+    yield from hand.click((yield from find(name, *across)))
 
 
 def _under_pointer() -> str:
@@ -91,3 +93,27 @@ def _under_pointer() -> str:
                 copy()
                 return bpy.context.window_manager.clipboard
     return ""
+
+
+def forget_meshes() -> None:
+    """So that the next work begins from nothing, and takes its time."""
+    from dirichlet_isolines.blender.mesh import sessions
+
+    sessions.forget_all()
+
+
+def wait_for_nothing() -> None:
+    """So that large meshes are worked on beside the interface however quick the machine is."""
+    from dirichlet_isolines.ui import computing
+
+    computing._PATIENCE = 0
+
+
+@contextmanager
+def going_on() -> Iterator[Callable[[], bool]]:
+    """Work beside the interface is computed, but seen to be done only when the context has ended. Tells whether there
+    is some."""
+    from dirichlet_isolines.blender.work import Background
+
+    with patch.object(Background, "poll", return_value=None) as poll:
+        yield lambda: poll.called

@@ -2,12 +2,14 @@
 """Importing this gives the installed add-on the name `dirichlet_isolines`, which as an extension it has only at the end
 of a longer one."""
 
+import importlib
+import pkgutil
 import sys
 
-for name in [*sys.modules]:
-    repository, short, inner = name.partition("dirichlet_isolines")
-    if repository.startswith("bl_ext."):
-        sys.modules[short + inner] = sys.modules[name]
+for addon in [name for name in sys.modules if name.startswith("bl_ext.") and name.endswith(".dirichlet_isolines")]:
+    inner = [module.name for module in pkgutil.walk_packages(sys.modules[addon].__path__, f"{addon}.")]
+    for name in (addon, *inner):  # all, since one imported by the short name first would be another
+        sys.modules["dirichlet_isolines" + name.removeprefix(addon)] = importlib.import_module(name)
 
 import dirichlet_isolines  # noqa: E402
 from dirichlet_isolines import library  # noqa: E402

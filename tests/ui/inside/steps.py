@@ -30,6 +30,7 @@ def run(*steps: Callable[[], Waiting]) -> None:
     faulthandler.register(signal.SIGUSR1)  # says where a Blender that hangs is
     bpy.context.preferences.view.show_splash = False
     bpy.context.preferences.system.viewport_aa = "OFF"  # drawing is done by software
+    bpy.context.preferences.inputs.use_mouse_continuous = False  # it takes the pointer elsewhere, the hand's pixels not
     waits = _play(steps)
 
     def tick() -> float | None:

@@ -3,6 +3,7 @@
 
 import actions
 import bpy
+import dirichlet_isolines
 import screen
 from canvas import ball
 from dirichlet_isolines.blender import live
@@ -43,12 +44,12 @@ def second_window_closed() -> Waiting:
 
 def disabled_and_enabled_again() -> Waiting:
     with screen.at():
-        bpy.ops.preferences.addon_disable(module="dirichlet_isolines")
+        bpy.ops.preferences.addon_disable(module=dirichlet_isolines.__name__)
     _paint()
     yield 1
     assert not hasattr(bpy.types.Object, "dirichlet")
     with screen.at():
-        bpy.ops.preferences.addon_enable(module="dirichlet_isolines")
+        bpy.ops.preferences.addon_enable(module=dirichlet_isolines.__name__)
     yield 1
     assert ball().dirichlet.live
     yield from _follows()
