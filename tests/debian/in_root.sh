@@ -4,21 +4,17 @@
 #
 #   tests/debian/in_root.sh RELEASE COMMAND [ARG…]      RELEASE: trixie, sid, …
 #
-# A root of that release is made when it is missing: two minutes, and 2 GB once Blender is in it. It is kept between runs,
-# shared by all clones, in ${XDG_CACHE_HOME:-~/.cache}/dirichlet-isolines/RELEASE. In it this project stands at /project.
-# What the command writes there is gone when it ends, but for build/, which is that of the root: its srv/build.
+# A root of that release is made when it is missing: two minutes, and 2 GB once Blender is in it. It is kept between
+# runs, shared by all clones, in ${XDG_CACHE_HOME:-~/.cache}/dirichlet-isolines/RELEASE. In it this project stands at
+# /project. What the command writes there is gone when it ends, but for build/, which is this clone's build/RELEASE.
 # With no COMMAND it says whether the root is there. Takes root, or sudo.
 set -euo pipefail
 
 readonly release=$1
 shift
-project=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
-readonly project
 readonly root=${XDG_CACHE_HOME:-$HOME/.cache}/dirichlet-isolines/$release
-
-as_root() {
-  if ((EUID == 0)); then "$@"; else sudo "$@"; fi
-}
+# shellcheck source=tests/debian/common.sh
+source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 # shellcheck disable=SC2016 # apt-get reads $(SITE), no shell
 mirror() { # the one that this machine's own packages come from
@@ -27,17 +23,17 @@ mirror() { # the one that this machine's own packages come from
 
 make_root() { # beside its place, then renamed: a root that is there is whole
   local beside=$root.part
+  need debootstrap
   echo "Making a Debian $release in $root"
-  mkdir -p "$(dirname "$root")"
   as_root rm -rf --one-file-system "$beside"
   as_root unshare --mount debootstrap --variant=minbase --include=ca-certificates "$release" "$beside" "$(mirror)" \
-    >"$root.log" || { tail -n 5 "$root.log" && exit 1; }
+    >"$root.log" || die "no Debian $release could be made of the mirror: $(tail -n 1 "$root.log")"
   printf '#!/bin/sh\nexit 101\n' | as_root tee "$beside/usr/sbin/policy-rc.d" >/dev/null # no service starts
   as_root chmod +x "$beside/usr/sbin/policy-rc.d"
   echo 'Acquire::Check-Valid-Until "false";' | # a mirror may lag behind a release that has no end; signatures do count
     as_root tee "$beside/etc/apt/apt.conf.d/lagging-mirror" >/dev/null
   as_root ln -sfn /proc/self/mounts "$beside/etc/mtab"
-  as_root mkdir -p "$beside/project" "$beside/srv/build"
+  as_root mkdir -p "$beside/project"
   as_root mv "$beside" "$root"
 }
 
@@ -45,8 +41,8 @@ make_root() { # beside its place, then renamed: a root that is there is whole
 # shellcheck disable=SC2016 # it is the inner shell that reads these variables
 readonly enter='
   set -eu
-  root=$1 project=$2
-  shift 2
+  root=$1 project=$2 release=$3
+  shift 3
   mount -t proc proc "$root/proc"
   mount --rbind /sys "$root/sys"
   mount --rbind /dev "$root/dev"
@@ -55,7 +51,7 @@ readonly enter='
   mount -t tmpfs tmpfs "$root/mnt"
   mkdir "$root/mnt/written" "$root/mnt/work"
   mount -t overlay overlay -o "lowerdir=$project,upperdir=$root/mnt/written,workdir=$root/mnt/work" "$root/project"
-  mount --bind "$root/srv/build" "$root/project/build"
+  mount --bind "$project/build/$release" "$root/project/build"
   cp -L /etc/resolv.conf "$root/etc/resolv.conf"
   mount --bind /etc/ssl/certs/ca-certificates.crt "$root/etc/ssl/certs/ca-certificates.crt" # whom this machine trusts
   exec chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 TERM="${TERM-dumb}" \
@@ -67,11 +63,13 @@ main() { # COMMAND ARG…
     [[ -d $root ]]
     exit
   fi
-  [[ -d $root ]] || make_root
-  mkdir -p "$project/build"
+  mkdir -p "$(dirname "$root")"
   exec 9>"$root.lock"
-  flock 9 # one command at a time: they share build/
-  as_root unshare --mount --pid --fork --kill-child sh -c "$enter" sh "$root" "$project" "$@"
+  flock 9 # one command at a time: they install packages
+  [[ -d $root ]] || make_root
+  mkdir -p "$project/build/$release"
+  as_root unshare --mount --pid --fork --kill-child sh -c "$enter" sh "$root" "$project" "$release" "$@"
 }
 
 main "$@"
+exit # so that nothing is read from the file if it changed meanwhile
