@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace dirichlet {
 namespace {
@@ -39,34 +38,27 @@ void EarClipper::start(std::span<const Point2> polygon) {
   next_.resize(left_);
   turn_.assign(left_, 0);
   touched_.assign(left_, 0);
-  hollow_.clear();
-  forgotten_ = 0;
+  hollow_.build(polygon);
   waiting_.clear();
-  const auto extent = [&](auto part) {
-    const auto [low, high] = std::minmax_element(polygon.begin(), polygon.end(),
-                                                 [&](const Point2& a, const Point2& b) { return a.*part < b.*part; });
-    return (*high).*part - (*low).*part;
-  };
-  along_x_ = extent(&Point2::x) >= extent(&Point2::y);
   for (Index i = 0; i < size; ++i) {
     previous_[at(i)] = (i + size - 1) % size;
     next_[at(i)] = (i + 1) % size;
   }
   for (Index i = 0; i < size; ++i) {
     turn_[at(i)] = side(previous_[at(i)], i, next_[at(i)]);
-    if (turn_[at(i)] <= 0) hollow_.push_back(i);
+    hollow_.mark(i, turn_[at(i)] <= 0);
     waiting_.push_back(i);
   }
-  std::ranges::sort(hollow_, {}, [&](Index corner) { return std::pair(key(corner), corner); });
 }
 
 /// One round over the corners waiting. Neighbours of a cut wait for the next one, so that a convex polygon is cut at
-/// every other corner, and not into a fan of slivers.
+/// every other corner, and not into a fan of slivers; and that goes the other way round, so that a band is cut to and
+/// fro.
 void EarClipper::cut_ears(std::vector<Index>& triangles) {
   ++round_;
-  if (2 * forgotten_ > hollow_.size()) forget_hollow();
   std::swap(waiting_, now_);
   waiting_.clear();
+  if (round_ % 2 == 0) std::ranges::reverse(now_);
   for (const Index corner : now_)
     if (left_ > 3 && touched_[at(corner)] != round_ && is_ear(corner)) remove(corner, triangles);
 }
@@ -75,8 +67,8 @@ void EarClipper::cut_ears(std::vector<Index>& triangles) {
 void EarClipper::remove(Index corner, std::vector<Index>& triangles) {
   const Index before = previous_[at(corner)], after = next_[at(corner)];
   triangles.insert(triangles.end(), {before, corner, after});
-  forgotten_ += turn_[at(corner)] <= 0 ? 1 : 0;
   turn_[at(corner)] = kRemoved;
+  hollow_.mark(corner, false);
   --left_;
   next_[at(before)] = after;
   previous_[at(after)] = before;
@@ -86,41 +78,20 @@ void EarClipper::remove(Index corner, std::vector<Index>& triangles) {
 
 /// After a change of its neighbours.
 void EarClipper::update(Index corner) {
-  const bool was_hollow = turn_[at(corner)] <= 0;
   turn_[at(corner)] = side(previous_[at(corner)], corner, next_[at(corner)]);
   touched_[at(corner)] = round_;
-  if (const bool is_hollow = turn_[at(corner)] <= 0; was_hollow && !is_hollow)
-    ++forgotten_;
-  else if (is_hollow && !was_hollow)
-    add_hollow(corner);
+  hollow_.mark(corner, turn_[at(corner)] <= 0);
   waiting_.push_back(corner);
 }
 
-/// Corners become hollow seldom: where cutting off ears leaves no angle.
-void EarClipper::add_hollow(Index corner) {
-  const auto sorted = [&](Index i) { return std::pair(key(i), i); };
-  const auto place = std::ranges::lower_bound(hollow_, sorted(corner), {}, sorted);
-  if (place != hollow_.end() && *place == corner)
-    --forgotten_; // it has been before
-  else
-    hollow_.insert(place, corner);
-}
-
-void EarClipper::forget_hollow() {
-  std::erase_if(hollow_, [&](Index corner) { return turn_[at(corner)] > 0; });
-  forgotten_ = 0;
-}
-
 /// Only hollow corners are asked: were a side to enter the triangle, one of its corners inside would be hollow, namely
-/// that farthest from the cut. And only those beside the triangle, which has small ones wait for few of many.
+/// that farthest from the cut. And only those near the triangle.
 bool EarClipper::is_ear(Index corner) const {
   if (turn_[at(corner)] != 1) return false;
-  const auto [low, high] = std::minmax({key(previous_[at(corner)]), key(corner), key(next_[at(corner)])});
-  const double margin = 8 * rounding_; // `side` counts as on a line what is so near
-  for (auto i = std::ranges::lower_bound(hollow_, low - margin, {}, [&](Index other) { return key(other); });
-       i != hollow_.end() && key(*i) <= high + margin; ++i)
-    if (turn_[at(*i)] <= 0 && blocks(corner, *i)) return false;
-  return true;
+  const auto place = [&](Index i) { return polygon_[at(i)]; };
+  const double margin = 4 * rounding_; // of which `side` takes half
+  return !hollow_.any_in({place(previous_[at(corner)]), place(corner), place(next_[at(corner)])}, margin,
+                         [&](Index other) { return blocks(corner, other); });
 }
 
 /// Whether `corner` lies on the cut that would take off `ear`, or a side from it enters the open triangle, or its two

@@ -4,13 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "corner_tree.h"
 #include "dirichlet/array.h"
 
 namespace dirichlet {
-
-struct Point2 {
-  double x = 0, y = 0;
-};
 
 /// Cuts polygons into triangles ear by ear; keeps its memory from one to the next.
 ///
@@ -34,9 +31,6 @@ class EarClipper {
   [[nodiscard]] bool blocks(Index ear, Index corner) const;
   [[nodiscard]] int side(Index a, Index b, Index c) const;
   void update(Index corner);
-  void add_hollow(Index corner);
-  void forget_hollow();
-  [[nodiscard]] double key(Index corner) const { return along_x_ ? polygon_[at(corner)].x : polygon_[at(corner)].y; }
   [[nodiscard]] Index first_flat() const;
 
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -48,9 +42,7 @@ class EarClipper {
   std::vector<Index> previous_, next_; ///< among the corners left
   std::vector<int> turn_;              ///< 1 left, 0 straight on or back, -1 right; kRemoved
   std::vector<int> touched_;           ///< the round in which a neighbour was last cut off
-  bool along_x_ = true;                ///< where the polygon is longer: there hollow corners are sorted
-  std::vector<Index> hollow_;          ///< corners that do not turn left, and some that no longer matter
-  std::size_t forgotten_ = 0;          ///< how many these are
+  CornerTree hollow_;                  ///< marked: corners that do not turn left
   std::vector<Index> waiting_, now_;   ///< corners to look at in the next round, and in this one
 };
 

@@ -151,6 +151,8 @@ class PolygonElement {
 };
 
 constexpr std::int64_t kMostPolygonCorners = 7000;
+constexpr std::int64_t kMostWork = kMostPolygonCorners * kMostPolygonCorners * kMostPolygonCorners;
+constexpr std::int64_t kLargePolygon = 500; // whose block takes much of the time in any mesh
 
 std::size_t largest_face(std::span<const Index> offsets) {
   std::size_t largest = 0;
@@ -173,7 +175,15 @@ std::vector<std::int64_t> count_pairs(const Mesh& mesh) {
                              " that the polygon Laplacian takes, as its ",
                              "time grows with their cube; the other Laplacians take any number"));
   std::vector<std::int64_t> starts(offsets.size(), 0);
-  for (std::size_t f = 0; f + 1 < offsets.size(); ++f) starts[f + 1] = starts[f] + size(f) * (size(f) - 1) / 2;
+  std::int64_t work = 0;
+  for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
+    starts[f + 1] = starts[f] + size(f) * (size(f) - 1) / 2;
+    if (size(f) > kLargePolygon) work += size(f) * size(f) * size(f);
+  }
+  if (work > kMostWork)
+    throw InputError(message("the large faces, the largest of which is ", face(), ", take more time together than one ",
+                             "of ", kMostPolygonCorners, " corners, the most that the polygon Laplacian takes; the ",
+                             "other Laplacians take any number"));
 
   // Each pair has two entries, numbered in 32 bits with the diagonal's; both take these bytes where K is made.
   constexpr std::int64_t kBytes = 72, kMost = std::numeric_limits<Index>::max() / 4;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "groups.h"
 #include "index.h"
 
 namespace dirichlet {
@@ -40,20 +41,42 @@ Index last_face(const Mesh& mesh, Index corner, First first) {
   return face;
 }
 
+/// The one corner in `range`, other than `except`, whose side has these ends; or -1. It starts at one of them, where
+/// few corners are, or the one before it does.
+/// \param ends_of   of the side that starts at a corner
+/// \param previous  the corner before another in the same face
+template <class EndsOf, class Previous>
+Index find_side(const Mesh& mesh, Corners range, Ends ends, Index except, const EndsOf& ends_of,
+                const Previous& previous) {
+  const Groups& around = mesh.corners_by_vertex();
+  const bool first_is_rarer = around[ends.first].size() <= around[ends.second].size();
+  const auto corners = around[first_is_rarer ? ends.first : ends.second]; // ascending
+  for (auto c = std::lower_bound(corners.begin(), corners.end(), range.begin); c != corners.end() && *c < range.end;
+       ++c)
+    for (const Index side : {*c, previous(*c)})
+      if (side != except && ends_of(side) == ends) return side;
+  return -1;
+}
+
 /// A half-edge of the face's triangles that has these ends, other than `except`.
 Index find_in_triangles(const Mesh& mesh, Index face, Ends ends, Index except) {
-  const Corners range = triangles_of(mesh, face);
-  for (Index c = range.begin; c < range.end; ++c)
-    if (c != except && ends_in_triangle(mesh.triangulated().corners(), c) == ends) return c;
-  return Connectivity::kNonManifold;
+  const Mesh& triangles = mesh.triangulated();
+  const Index found = find_side(
+      triangles, triangles_of(mesh, face), ends, except,
+      [&](Index c) { return ends_in_triangle(triangles.corners(), c); },
+      [](Index c) { return next_in_triangle(next_in_triangle(c)); });
+  return found < 0 ? Connectivity::kNonManifold : found;
 }
 
 /// The corner of the polygon whose side has these ends, or -1.
-Index find_side(const Mesh& mesh, Index face, Ends ends) {
+Index find_in_polygon(const Mesh& mesh, Index face, Ends ends) {
   const Corners range{mesh.offsets()[at(face)], mesh.offsets()[at(face) + 1]};
-  for (Index c = range.begin; c < range.end; ++c)
-    if (sorted(mesh.corners()[at(c)], mesh.corners()[at(c + 1 < range.end ? c + 1 : range.begin)]) == ends) return c;
-  return -1;
+  return find_side(
+      mesh, range, ends, -1,
+      [&](Index c) {
+        return sorted(mesh.corners()[at(c)], mesh.corners()[at(c + 1 < range.end ? c + 1 : range.begin)]);
+      },
+      [&](Index c) { return (c > range.begin ? c : range.end) - 1; });
 }
 
 } // namespace
@@ -61,7 +84,7 @@ Index find_side(const Mesh& mesh, Index face, Ends ends) {
 Index opposite_in_polygons(const Mesh& mesh, Index half_edge) {
   const Ends ends = ends_in_triangle(mesh.triangulated().corners(), half_edge);
   const Index face = last_face(mesh, half_edge, [&](Index f) { return triangles_of(mesh, f).begin; });
-  const Index side = find_side(mesh, face, ends);
+  const Index side = find_in_polygon(mesh, face, ends);
   if (side < 0) return find_in_triangles(mesh, face, ends, half_edge); // a diagonal: both its triangles are here
   const Index other = mesh.connectivity().opposite[at(side)];
   if (other < 0) return other;

@@ -203,6 +203,20 @@ TEST(Triangulation, cuts_a_convex_polygon_into_no_fan) {
   EXPECT_LE(*std::max_element(uses.begin(), uses.end()), 12); // 2 log2 64
 }
 
+TEST(Triangulation, cuts_a_band_to_and_fro) {
+  Polygon band;
+  for (int i = 0; i < 500; ++i) band.push_back({i / 100.0, 0, 0});
+  for (int i = 499; i >= 0; --i) band.push_back({i / 100.0, 1, 0});
+  const auto triangles = triangulate(band);
+  double longest = 0;
+  for (std::size_t t = 0; t < triangles.size(); t += 3) {
+    const auto along = [&](std::size_t i) { return band[static_cast<std::size_t>(triangles[t + i])][0]; };
+    const auto [low, high] = std::minmax({along(0), along(1), along(2)});
+    longest = std::max(longest, high - low);
+  }
+  EXPECT_LT(longest, 0.03);
+}
+
 TEST(Triangulation, lists_the_triangles_of_face_after_face) {
   const auto soup = makers::copies(makers::grid(60, 60, false), 6); // enough for two threads
   std::vector<Index> offsets{0}, corners, expected;

@@ -136,3 +136,17 @@ def test_polygons_without_an_area_are_solved_beside_others_and_counted(positions
     soup = Soup(np.vstack((sheet.positions, positions + 9)), [*sheet.faces, [16, 17, 18, 19, 20, 21]])
     field, _ = solved(soup.mesh(), [0, 15, 16, 18], [0.0, 1.0, 0.0, 1.0])
     assert any("face 9 has no area" in warning for warning in field.report.warnings)
+
+
+def test_a_level_crosses_two_large_polygons_on_the_same_vertices_as_often_as_each_alone():
+    k = 24_000
+    turned = np.arange(k)[::-1]
+    along = np.concatenate((np.arange(k), turned)) / k
+    positions = np.column_stack((along, np.repeat([0.0, 1.0], k), np.zeros(2 * k)))
+    comb = np.arange(2 * k)
+    field = positions[:, 1]
+    alone = isolines(Mesh(positions, comb[None]), field, [0.5])
+    both = isolines(Mesh(positions, np.array([comb, comb])), field, [0.5])
+    np.testing.assert_allclose(alone.length, [(k - 1) / k])
+    assert both.length.sum() == pytest.approx(2 * alone.length.sum(), rel=1e-3)
+    assert len(both.points) <= 2 * len(alone.points)
