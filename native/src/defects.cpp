@@ -14,20 +14,39 @@
 namespace dirichlet {
 namespace {
 
-/// The ends of border edges, ascending.
-std::vector<Index> border_vertices(const Mesh& mesh) {
+/// (V,) 1 for the ends of border edges; empty where there are none.
+std::vector<std::uint8_t> mark_border(const Mesh& mesh) {
+  std::vector<std::uint8_t> is_border;
   const auto& opposite = mesh.connectivity().opposite;
-  if (std::find(opposite.begin(), opposite.end(), Connectivity::kBorder) == opposite.end()) return {};
-  std::vector<std::uint8_t> is_border(at(mesh.vertex_count()), 0);
+  if (std::find(opposite.begin(), opposite.end(), Connectivity::kBorder) == opposite.end()) return is_border;
+  is_border.resize(at(mesh.vertex_count()), 0);
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const Index begin = mesh.offsets()[at(f)], end = mesh.offsets()[at(f) + 1];
     for (Index c = begin; c < end; ++c)
       if (opposite[at(c)] == Connectivity::kBorder)
         is_border[at(mesh.corners()[at(c)])] = is_border[at(mesh.corners()[at(c + 1 < end ? c + 1 : begin)])] = 1;
   }
+  return is_border;
+}
+
+/// (V,) 1 for the vertices of faces that are inside, where the faces make several pieces: else none of them can be
+/// where a vertex of another piece is.
+std::vector<std::uint8_t> mark_inside(const Mesh& mesh, const Components& pieces,
+                                      std::span<const std::uint8_t> border) {
+  std::vector<std::uint8_t> is_inside;
+  const auto label = [&](Index corner) { return pieces.label[at(corner)]; };
+  const auto corners = mesh.corners();
+  if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return label(v) == label(corners[0]); }))
+    return is_inside;
+  is_inside.resize(at(mesh.vertex_count()), 0);
+  for (const Index v : corners) is_inside[at(v)] = border.empty() || border[at(v)] == 0 ? 1 : 0;
+  return is_inside;
+}
+
+std::vector<Index> marked(std::span<const std::uint8_t> marks) {
   std::vector<Index> vertices;
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (is_border[at(v)] != 0) vertices.push_back(v);
+  for (std::size_t v = 0; v < marks.size(); ++v)
+    if (marks[v] != 0) vertices.push_back(static_cast<Index>(v));
   return vertices;
 }
 
@@ -74,13 +93,18 @@ UnionFind joined_vertices(const Mesh& mesh) {
   return sets;
 }
 
-void find_coincident_vertices(const Mesh& mesh, Defects& defects) {
-  const std::vector<Index> vertices = border_vertices(mesh);
-  Places places(mesh.positions(), vertices.size());
+void find_coincident_vertices(const Mesh& mesh, const Components& pieces, Defects& defects) {
+  const auto is_border = mark_border(mesh);
+  const auto border = marked(is_border), inside = marked(mark_inside(mesh, pieces, is_border));
+  Places places(mesh.positions(), border.size() + inside.size());
   std::vector<std::array<Index, 2>> pairs;
-  for (const Index v : vertices)
+  for (const Index v : border)
     if (const Index first = places.put(v); first != v) pairs.push_back({first, v});
+  for (const Index v : inside) // after those on a border, which come first in their place
+    if (const Index first = places.put(v); pieces.label[at(first)] != pieces.label[at(v)])
+      pairs.push_back({std::min(first, v), std::max(first, v)});
   if (pairs.empty()) return;
+  std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
   UnionFind joined = joined_vertices(mesh);
   for (const auto& [first, v] : pairs) {
     if (joined.find(first) == joined.find(v)) continue;
@@ -109,6 +133,10 @@ std::vector<std::string> Defects::warnings() const {
 }
 
 Defects find_defects(const Mesh& mesh) {
+  return find_defects(mesh, mesh.components());
+}
+
+Defects find_defects(const Mesh& mesh, const Components& pieces) {
   Defects defects;
   const auto repeats = mesh.repeated_faces();
   defects.repeated_faces = static_cast<Index>(repeats.size());
@@ -121,7 +149,7 @@ Defects find_defects(const Mesh& mesh) {
     defects.crossing_faces = static_cast<Index>(crossing.size());
     if (!crossing.empty()) defects.first_crossing = crossing.front();
   }
-  find_coincident_vertices(mesh, defects);
+  find_coincident_vertices(mesh, pieces, defects);
   return defects;
 }
 

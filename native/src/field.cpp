@@ -26,11 +26,14 @@
 namespace dirichlet {
 namespace {
 
-/// The power of two that brings a number to [1/2, 1); 0 for ordinary numbers, whose squares and sums are no danger.
+/// The power of two to divide numbers by whose squares and sums would else be a danger; 0 for ordinary ones. Huge ones
+/// stay as large as they may, since others beside them, on another piece, may be tiny.
 int scale_of(double largest) {
+  constexpr int kSafe = 256;
   int exponent = 0;
   std::frexp(largest, &exponent);
-  return std::abs(exponent) > 256 ? exponent : 0;
+  if (exponent > kSafe) return exponent - kSafe;
+  return exponent < -kSafe ? exponent : 0;
 }
 
 int scale_of(const Eigen::Ref<const Eigen::VectorXd>& values, std::span<const double> source) {
@@ -106,8 +109,11 @@ HarmonicSolver::HarmonicSolver(const Mesh& mesh, const SolverOptions& options, L
   base_.connectivity_seconds = mesh.build_seconds();
   with_memory(base_.vertices, [&] {
     const Stopwatch watch;
-    auto inspection =
-        in_background(at(base_.vertices), [&mesh] { return std::pair(mesh.components(), find_defects(mesh)); });
+    auto inspection = in_background(at(base_.vertices), [&mesh] {
+      Components pieces = mesh.components();
+      const Defects defects = find_defects(mesh, pieces);
+      return std::pair(std::move(pieces), defects);
+    });
     Stiffness stiffness = make_stiffness(mesh, laplacian);
     base_.laplacian_seconds = watch.seconds();
     mass_ = std::move(stiffness.mass);

@@ -17,14 +17,17 @@ struct Defects {
   Index first_flat = 0;                ///< the lowest of them
   Index crossing_faces = 0;      ///< faces that cross themselves and are split all the same, see find_crossing_faces
   Index first_crossing = 0;      ///< the lowest of them
-  Index coincident_vertices = 0; ///< vertices on a border exactly where an earlier one on a border is,
-                                 ///< and to which no edges without length join them
+  Index coincident_vertices = 0; ///< vertices exactly where an earlier one is, both on a border or on two pieces, and
+                                 ///< to which no edges without length join them
   std::array<Index, 2> first_coincident{}; ///< the lowest of them, after the one it coincides with
 
   [[nodiscard]] std::vector<std::string> warnings() const; ///< one sentence for each kind that there is
 };
 
-/// Cost: O(V + C), on all cores; another O(V) where there are borders.
+/// Cost: O(V + C), on all cores; another O(V) where there are borders or several pieces.
 Defects find_defects(const Mesh& mesh);
+
+/// The same for who has the pieces already. \param pieces  mesh.components()
+Defects find_defects(const Mesh& mesh, const Components& pieces);
 
 } // namespace dirichlet

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._arrays import as_indices, as_reals, require_shape
+from ._arrays import as_array, as_indices, as_reals, require_shape
 from ._native import InputError
 
 
@@ -61,9 +61,12 @@ class Mesh(_native.Mesh):
 def _are_offsets_and_corners(faces: tuple[ArrayLike, ...]) -> bool:
     """Whether a tuple is that pair, and not the faces themselves: two of one size are as long as each other, which the
     pair is only where a face is empty."""
-    if len(faces) != 2 or np.size(faces[0]) != np.size(faces[1]):
-        return len(faces) == 2
-    first = np.ravel(faces[0]).tolist()
+    if len(faces) != 2:
+        return False
+    offsets = as_array(faces[0], "face offsets")
+    if offsets.size != as_array(faces[1], "face corners").size:
+        return True
+    first = np.ravel(offsets).tolist()
     return first[:1] == [0] and first[-1] == len(first) and len(set(first)) < len(first)
 
 
@@ -84,7 +87,7 @@ class Defects:
     crossing_faces: int
     """quads, and polygons thinner than 1e-5, that cross themselves: their triangles lie on each other"""
     coincident_vertices: int
-    """on a border, exactly where an earlier vertex of a border is, and not joined to it"""
+    """exactly where an earlier vertex is, both on a border or on two pieces, and not joined to it"""
     warnings: tuple[str, ...]
 
 

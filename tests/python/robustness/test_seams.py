@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from dirichlet_surface import Mesh, find_defects
 from dirichlet_surface.field import LAPLACIANS
-from mesh_makers import ZOO, Soup, cylinder, grid, sphere
+from mesh_makers import ZOO, Soup, cylinder, grid, sphere, tetrahedron
 from outcomes import obj_of, solved, warning_about
 
 ADVICE = "merging by distance would join them"
@@ -67,6 +67,44 @@ def test_stl_files_are_joined_as_they_are_read(command):
     output = command.accepts(mesh, "--patch", "low=0@0,0,-1,0.1", "--patch", "high=1@0,0,1,0.1")
     assert "72 vertices" in output
     assert "warning" not in output
+
+
+def tetrahedra_on_each_other() -> Soup:
+    """Two closed pieces that share three places."""
+    one = tetrahedron()
+    other = one.positions.copy()
+    other[3] = one.positions[:3].mean(axis=0) * 2 - one.positions[3]
+    return Soup(np.vstack((one.positions, other)), one.faces + [[vertex + 4 for vertex in face] for face in one.faces])
+
+
+def fin_on_a_sheet() -> Soup:
+    """A quad that stands on an edge inside a grid, and ends there."""
+    sheet = grid(4, 4)
+    foot = sheet.positions[[11, 12]]
+    return Soup(np.vstack((sheet.positions, foot, foot + [0, 0, 1])), [*sheet.faces, [25, 26, 28, 27]])
+
+
+@pytest.mark.parametrize(
+    ("soup", "pairs", "first"), [(tetrahedra_on_each_other(), 3, (0, 4)), (fin_on_a_sheet(), 2, (11, 25))]
+)
+def test_pieces_that_touch_are_told_wherever_they_do(soup, pairs, first):
+    field, _ = solved(soup.mesh(), [3, soup.size - 1], [0.0, 1.0])
+    message = warning_about(ADVICE, field.report.warnings)
+    assert message.startswith(f"{pairs} pairs of vertices coincide (the first: {first[0]} and {first[1]})")
+
+
+def test_a_surface_that_touches_itself_inside_is_no_seam_though_there_are_other_pieces():
+    pinched = sphere(7, 10)
+    pinched.positions[20] = pinched.positions[50]
+    away = Soup(pinched.positions + [9, 0, 0], pinched.faces)
+    both = np.vstack((pinched.positions, away.positions))
+    mesh = Mesh(both, [*pinched.faces, *([vertex + 72 for vertex in face] for face in pinched.faces)])
+    assert find_defects(mesh).coincident_vertices == 0
+
+
+def test_a_vertex_without_faces_stands_wherever_it_likes():
+    ball = sphere(7, 10)
+    assert find_defects(Mesh(np.vstack((ball.positions, ball.positions)), ball.faces)).coincident_vertices == 0
 
 
 @pytest.mark.parametrize("soup", [*ZOO.values(), cylinder(8, 5), grid(1, 1)])
