@@ -58,9 +58,9 @@ fs::path followed(const fs::path& path) {
 /// Beside the target, so that the rename stays within one file system; gone again unless it was renamed.
 class FileBeside {
  public:
-  explicit FileBeside(const fs::path& target) : named_(target), target_(followed(target)), path_(target_) {
-    path_ += message(".", std::random_device{}(), ".part");
-  }
+  explicit FileBeside(const fs::path& target)
+      : named_(target), target_(followed(target)),
+        path_(target_.parent_path() / message(".", std::random_device{}(), ".part")) {}
   FileBeside(const FileBeside&) = delete;
   FileBeside& operator=(const FileBeside&) = delete;
   ~FileBeside() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <utility>
 
 #include "dirichlet/error.h"
@@ -13,7 +14,7 @@
 namespace dirichlet {
 namespace {
 
-void check_finite(std::span<const double> numbers, const char* what, const char* where) {
+void check_finite(std::span<const double> numbers, const std::string& what, const char* where) {
   const auto bad = [](double x) { return !std::isfinite(x); };
   const auto first = std::find_if(numbers.begin(), numbers.end(), bad);
   if (first != numbers.end())
@@ -57,7 +58,9 @@ void check_values(std::span<const Index> painted, const std::vector<std::array<I
     throw InputError(message(counted(values.rows(), "value"), values.rows() == 1 ? " was" : " were", " given for ",
                              counted(painted.size(), "painted vertex")));
   for (Eigen::Index column = 0; column < values.cols(); ++column)
-    check_finite({values.col(column).data(), painted.size()}, "the painted value", "place");
+    check_finite({values.col(column).data(), painted.size()},
+                 values.cols() == 1 ? "the painted value" : message("in column ", column, " the painted value"),
+                 "place");
   const auto differs = [&](const std::array<Index, 2>& repeat) {
     return values.row(repeat[0]) != values.row(repeat[1]);
   };

@@ -137,9 +137,12 @@ def test_triangles_with_nan_carry_no_line():
     assert_sound(soup.mesh(), values, lines)
 
 
-def test_a_field_without_any_number_has_no_line():
+def test_a_field_without_any_number_has_no_line_and_says_so():
     soup = grid(3, 3)
-    assert len(isolines(soup.mesh(), np.full(soup.size, np.nan), [0.5])) == 0
+    lines = isolines(soup.mesh(), np.full(soup.size, np.nan), [0.5])
+    assert len(lines) == 0
+    assert lines.warnings == ("the field has no value at any vertex, so there are no lines",)
+    assert isolines(soup.mesh(), np.full(soup.size, np.nan), []).warnings == ()
 
 
 def test_unpainted_pieces_carry_no_line():

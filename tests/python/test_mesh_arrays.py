@@ -177,8 +177,30 @@ def test_a_face_index_out_of_range_is_named_and_does_not_wrap(bad):
     assert "face" in message
 
 
-def test_an_unsigned_face_index_beyond_63_bits_does_not_wrap():
+def test_a_face_index_beyond_63_bits_is_named_and_does_not_wrap():
     assert str(2**64 - 1) in refusal(InputError, Mesh, SPHERE.positions, np.array([[0, 1, 2**64 - 1]], np.uint64))
+    message = refusal(InputError, Mesh, SPHERE.positions, [[0, 1, 2], [0, 1, 2**70]])
+    assert f"{2**70} at row 1, which is not an index" in message
+
+
+def test_what_is_no_number_is_named_with_its_place():
+    assert "None at place 1" in refusal(InputError, solve, SPHERE.mesh(), [0, 1], [0.0, None])
+    assert "'b' at row 1" in refusal(InputError, Mesh, SPHERE.positions, np.array([[0, 1, 2], [0, 1, "b"]], object))
+
+
+def test_masked_numbers_are_refused_and_masks_without_any_are_not():
+    positions = np.ma.array(SPHERE.positions)
+    assert Mesh(positions, FACES).vertex_count == 72
+    positions[5, 1] = np.ma.masked
+    assert "positions are masked at row 5" in refusal(InputError, Mesh, positions, FACES)
+
+
+def test_positions_at_any_byte_hold_the_same_numbers():
+    shifted = np.frombuffer(b"\0" + SPHERE.positions.tobytes(), "<f8", offset=1).reshape(-1, 3)
+    assert not shifted.flags.aligned
+    mesh = Mesh(shifted, FACES)
+    assert mesh.positions.flags.aligned
+    assert_array_equal(mesh.positions, SPHERE.positions)
 
 
 @pytest.mark.parametrize("face", [[3], [3, 4], [3, 4, 4], [3, 4, 5, 4], []])
@@ -191,11 +213,11 @@ def test_a_face_that_is_no_polygon_is_named(face):
     "faces",
     [
         np.empty((0, 3), int), [], ([0], []), FACES.astype(float), FACES[:, :, None], FACES.ravel(), "faces", None,
-        ([0, 3], [0, 1]), ([0, 2, 1, 3], [0, 1, 2]), ([1, 3], [0, 1, 2]), [[0, 1, 2], [0, 1]],
+        ([0, 3], [0, 1]), ([0, 2, 1, 3], [0, 1, 2]), ([1, 3], [0, 1, 2]), [[0, 1, 2], [0, 1]], ([0, 3], [[0, 1], [2]]),
     ],
     ids=[
         "none (0, 3)", "none", "none (offsets)", "float", "three dimensions", "flat", "text", "nothing",
-        "offsets too long", "offsets descend", "offsets begin late", "ragged",
+        "offsets too long", "offsets descend", "offsets begin late", "ragged", "ragged corners",
     ],
 )  # fmt: skip
 def test_faces_of_the_wrong_form_are_refused(faces):
@@ -223,6 +245,8 @@ def test_a_painted_vertex_out_of_range_is_named(bad):
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
 def test_a_painted_value_or_source_that_is_not_finite_is_named(bad):
     assert "place 2" in refusal(InputError, solve, SPHERE.mesh(), [5, 6, 7], [0.0, 1.0, bad])
+    paint = HarmonicSolver(SPHERE.mesh()).paint
+    assert "in column 1 the painted value at place 0" in refusal(InputError, paint, [5, 6], [[0.0, bad], [0.0, 1.0]])
     source = np.zeros(SPHERE.size)
     source[9] = bad
     assert "vertex 9" in refusal(InputError, solve, SPHERE.mesh(), [5, 6], [0.0, 1.0], source=source)

@@ -17,40 +17,58 @@ Indices = NDArray[np.int32]
 Reals = NDArray[np.float64]
 
 
-def _as_array(values: ArrayLike, what: str) -> NDArray[Any]:
+def as_array(values: ArrayLike, what: str) -> NDArray[Any]:
+    """An array of any type. Raises InputError for rows of different lengths, and for masked numbers."""
+    if np.ma.is_masked(values):
+        raise InputError(f"{what} are masked at {_place(np.argwhere(np.ma.getmaskarray(values)))}")
     try:
         return np.asarray(values)
     except ValueError:
         raise InputError(f"{what} do not form an array: they are of different lengths") from None
 
 
-def _kind(values: ArrayLike, array: NDArray[Any]) -> str:
-    """What a caller passed in place of numbers."""
-    return type(values).__name__ if array.ndim == 0 and array.dtype == object else str(array.dtype)
+def _place(found: NDArray[np.intp]) -> str:
+    """The first of np.argwhere, and how many more there are."""
+    return f"{'row' if found.shape[1] > 1 else 'place'} {found[0][0]}{and_more(len(found), 'number')}"
+
+
+def _laid_out(array: NDArray[Any], dtype: type[Any]) -> NDArray[Any]:
+    return np.require(np.ascontiguousarray(array, dtype=dtype), requirements="A")  # aligned, which the first is not
+
+
+def _require_numbers(values: ArrayLike, array: NDArray[Any], what: str, kinds: str, numbers: str) -> None:
+    """Refuses another type of array than of `kinds`, naming what is in it."""
+    if array.dtype.kind in kinds:
+        return
+    got: Any = array.dtype
+    if array.dtype == object:
+        got = type(values).__name__ if array.ndim == 0 else "object"
+        other = [place for place, entry in np.ndenumerate(array) if not isinstance(entry, (int, float))]
+        if array.ndim > 0 and other:
+            got = f"{array[other[0]]!r} at {_place(np.array(other))}"
+    raise InputError(f"{what} have to be {numbers}, not {got}")
 
 
 def as_indices(values: ArrayLike, what: str) -> Indices:
     """Whole numbers as C-ordered int32; one that 32 bits cannot hold is refused, never wrapped."""
-    array = _as_array(values, what)
-    if array.dtype == np.int32:
-        return np.ascontiguousarray(array)
-    if array.dtype.kind not in "iu" and array.size > 0:
-        raise InputError(f"{what} have to be whole numbers, not {_kind(values, array)}")
+    array = as_array(values, what)
+    if array.dtype == np.int32 or array.size == 0:
+        return _laid_out(array, np.int32)
+    are_too_large = array.dtype == object and all(type(entry) is int for entry in array.flat)  # some, for 64 bits
+    if not are_too_large:
+        _require_numbers(values, array, what, "iu", "whole numbers")
     limits = np.iinfo(np.int32)
-    if array.size > 0 and (array.min() < limits.min or array.max() > limits.max):
+    if array.min() < limits.min or array.max() > limits.max:
         bad = np.argwhere((array < limits.min) | (array > limits.max))
-        place = f"row {bad[0][0]}" if array.ndim > 1 else f"place {bad[0][0]}"
-        number = array[tuple(bad[0])]
-        raise InputError(f"{what} have {number} at {place}, which is not an index{and_more(len(bad), 'number')}")
-    return np.ascontiguousarray(array, dtype=np.int32)
+        raise InputError(f"{what} have {array[tuple(bad[0])]} at {_place(bad)}, which is not an index")
+    return _laid_out(array, np.int32)
 
 
 def as_reals(values: ArrayLike, what: str) -> Reals:
     """Numbers as C-ordered float64."""
-    array = _as_array(values, what)
-    if array.dtype.kind not in "fiub":
-        raise InputError(f"{what} have to be real numbers, not {_kind(values, array)}")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    array = as_array(values, what)
+    _require_numbers(values, array, what, "fiub", "real numbers")
+    return _laid_out(array, np.float64)
 
 
 def as_real(value: Any, what: str) -> float:

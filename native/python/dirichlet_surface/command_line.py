@@ -203,5 +203,6 @@ def main(words: Sequence[str] | None = None) -> int:
     except (DirichletError, MemoryError) as error:
         print(f"{parser.prog}: {str(error) or 'there is not enough memory for this'}", file=sys.stderr)
         return REFUSED
-    print(summary)
+    encoding = sys.stdout.encoding or "utf-8"
+    print(summary.encode(encoding, "backslashreplace").decode(encoding))  # names that are no text
     return 0

@@ -82,6 +82,8 @@ def _level_warnings(field: Reals, levels: Reals, carried: Indices) -> tuple[str,
         verb = "repeats another and counts" if repeated == 1 else "repeat another and count"
         warnings.append(f"{repeated} of {counted(len(levels), 'level')} {verb} once")
     low, high = np.fmin.reduce(field), np.fmax.reduce(field)  # of what is not NaN, without a copy
+    if len(levels) and not low <= high:
+        warnings.append("the field has no value at any vertex, so there are no lines")
     if low <= high:
         outside = (distinct < low) | (distinct > high)
         missed = ~outside & ~np.isin(places, carried)

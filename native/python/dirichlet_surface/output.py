@@ -148,7 +148,7 @@ def write_lines_svg(mesh: Mesh, lines: Isolines, path: Path) -> None:
 
 
 def write_json(content: dict[str, Any], path: Path) -> None:
-    with path.open("w", encoding="utf-8", newline="\n") as file:
+    with path.open("w", encoding="utf-8", errors="backslashreplace", newline="\n") as file:  # of names that are no text
         json.dump(content, file, indent=1, allow_nan=False, ensure_ascii=False)
         file.write("\n")
 

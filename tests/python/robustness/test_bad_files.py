@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A file that is damaged or lies is refused with its line or byte, and costs no more memory than it has bytes."""
 
+import json
 import os
 import re
 import struct
@@ -156,3 +157,20 @@ def test_a_name_that_is_no_text_is_shown_all_the_same(tmp_path):
         file.write(OBJ)
     assert read_mesh(path).face_count == 1
     assert read_mesh(os.fsdecode(path)).face_count == 1
+
+
+def test_names_that_are_no_text_are_solved_and_reported(command):
+    name = os.fsdecode(b"m\xff.obj")
+    command.write(name, OBJ)
+    patches = [*command.paint("low", 0.0, [0]), "--patch", os.fsdecode(b"\xff=1@2.txt")]
+    command.write("2.txt", "2")
+    output = command.accepts(name, *patches, "--report", "report.json", "--out-field", "field.npy")
+    assert "m\\udcff.obj" in output
+    with open("report.json", encoding="utf-8") as file:
+        assert json.load(file)["patches"][1]["name"] == "\udcff"
+
+
+def test_a_file_may_have_the_longest_name_there_is(tmp_path):
+    path = tmp_path / ("a" * 251 + ".obj")
+    write_mesh(path, sphere(5, 7).mesh())
+    assert read_mesh(path).vertex_count == sphere(5, 7).mesh().vertex_count
