@@ -19,8 +19,8 @@ Reals = NDArray[np.float64]
 
 def as_array(values: ArrayLike, what: str) -> NDArray[Any]:
     """An array of any type. Raises InputError for rows of different lengths, and for masked numbers."""
-    if np.ma.is_masked(values):
-        raise InputError(f"{what} are masked at {_place(np.argwhere(np.ma.getmaskarray(values)))}")
+    if isinstance(values, np.ma.MaskedArray) and values.mask.any():
+        raise InputError(f"{what} are masked at {_place(np.argwhere(values.mask))}")
     try:
         return np.asarray(values)
     except ValueError:

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from dirichlet_surface import find_defects, isolines
 from dirichlet_surface.field import LAPLACIANS
-from mesh_makers import Soup, sphere, torus
+from mesh_makers import Soup, joined, sphere, torus
 from outcomes import obj_of, solved
 
 SPHERE = sphere(7, 10)
@@ -61,9 +61,7 @@ def test_the_size_of_the_values_does_not_matter(scale):
 
 @pytest.mark.parametrize(("huge", "tiny"), [(1e300, 1e-30), (1e200, 1e-80), (1e-200, 1e-300)])
 def test_pieces_of_far_apart_values_keep_their_digits(huge, tiny):
-    two = Soup(
-        np.vstack((SPHERE.positions, SPHERE.positions + 9)), SPHERE.faces + [[v + 72 for v in f] for f in SPHERE.faces]
-    )
+    two = joined(SPHERE, Soup(SPHERE.positions + 9, SPHERE.faces))
     field, _ = solved(two.mesh(), [0, 71, 72, 143], [0.0, huge, tiny, 3 * tiny])
     alone, _ = solved(SPHERE.mesh(), [0, 71], [0.0, 1.0])
     np.testing.assert_allclose(field.values[:72] / huge, alone.values, rtol=0, atol=1e-12)

@@ -81,7 +81,7 @@ def fin_on_a_sheet() -> Soup:
     """A quad that stands on an edge inside a grid, and ends there."""
     sheet = grid(4, 4)
     foot = sheet.positions[[11, 12]]
-    return Soup(np.vstack((sheet.positions, foot, foot + [0, 0, 1])), [*sheet.faces, [25, 26, 28, 27]])
+    return Soup(np.vstack((sheet.positions, foot, foot + np.array([0, 0, 1]))), [*sheet.faces, [25, 26, 28, 27]])
 
 
 @pytest.mark.parametrize(
@@ -96,7 +96,7 @@ def test_pieces_that_touch_are_told_wherever_they_do(soup, pairs, first):
 def test_a_surface_that_touches_itself_inside_is_no_seam_though_there_are_other_pieces():
     pinched = sphere(7, 10)
     pinched.positions[20] = pinched.positions[50]
-    away = Soup(pinched.positions + [9, 0, 0], pinched.faces)
+    away = Soup(pinched.positions + np.array([9, 0, 0]), pinched.faces)
     both = np.vstack((pinched.positions, away.positions))
     mesh = Mesh(both, [*pinched.faces, *([vertex + 72 for vertex in face] for face in pinched.faces)])
     assert find_defects(mesh).coincident_vertices == 0
