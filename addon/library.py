@@ -7,6 +7,7 @@ It is imported at first use, so that enabling the add-on and drawing its panel w
 from __future__ import annotations
 
 import importlib
+import importlib.machinery
 import importlib.util
 import sys
 from pathlib import Path
@@ -15,7 +16,7 @@ from types import ModuleType
 from .language import say
 
 _NAME = "dirichlet_surface"
-_failure = ""
+_failure: str | None = None  # not known yet
 
 
 class LibraryMissingError(Exception):
@@ -25,19 +26,21 @@ class LibraryMissingError(Exception):
 def load(submodule: str = "") -> ModuleType:
     """The package, or a submodule of it. Raises LibraryMissingError."""
     global _failure
-    bundled = f"{__package__}.{_NAME}"
-    name = bundled if importlib.util.find_spec(bundled) else _NAME
+    name = _bundled() if importlib.util.find_spec(_bundled()) else _NAME
     try:
         package = importlib.import_module(name)
         _failure = ""
         return importlib.import_module(f"{name}.{submodule}") if submodule else package
     except ImportError as error:
-        _failure = _explain(error)
+        _failure = _mismatch(f" ({error})") or say("The compiled library could not be loaded: {reason}", reason=error)
         raise LibraryMissingError(_failure) from error
 
 
 def failure() -> str:
-    """The sentence of the last import when that failed, else nothing: for the panel."""
+    """Why there is no library, as far as its last import told, or its files where there was none yet; else nothing."""
+    global _failure
+    if _failure is None:
+        _failure = _mismatch("")
     return _failure
 
 
@@ -46,21 +49,25 @@ def refusals() -> tuple[type[Exception], ...]:
     return (LibraryMissingError,) if _failure else (LibraryMissingError, load().DirichletError)
 
 
-def _explain(error: ImportError) -> str:
-    import sysconfig
+def _bundled() -> str:
+    return f"{__package__}.{_NAME}"
 
-    folder = Path(__file__).parent / _NAME
-    expected = f"_native{sysconfig.get_config_var('EXT_SUFFIX')}"
-    names = sorted(path.name for path in folder.glob("_native*"))
-    if expected in names:
-        return say("The compiled library could not be loaded: {reason}", reason=error)
+
+def _mismatch(reason: str) -> str:
+    """Nothing where the library for this Python is, whether it can be loaded or not."""
+    spec = importlib.util.find_spec(_bundled()) or importlib.util.find_spec(_NAME)
+    folder = Path(spec.origin).parent if spec and spec.origin else Path(__file__).parent / _NAME
+    expected = [f"_native{suffix}" for suffix in importlib.machinery.EXTENSION_SUFFIXES]
+    found = sorted(path.name for path in folder.glob("_native*") if path.suffix != ".pyi")
+    if any(name in expected for name in found):
+        return ""
     return say(
         "The compiled library could not be loaded: expected {expected} for Python {major}.{minor} in {folder}, found "
-        "{found} ({reason})",
-        expected=expected,
+        "{found}{reason}",
+        expected=expected[0],
         major=sys.version_info.major,
         minor=sys.version_info.minor,
         folder=folder,
-        found=", ".join(names) or say("no compiled module"),
-        reason=error,
+        found=", ".join(found) or say("no compiled module"),
+        reason=reason,
     )

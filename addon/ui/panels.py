@@ -39,7 +39,7 @@ class DIRICHLET_PT_patches(_Panel, bpy.types.Panel):
         layout, obj = self.layout, context.active_object
         if library.failure():
             write_sentence(layout, context, library.failure(), "ERROR")
-        if not super().poll(context):
+        if not _Panel.poll(context):
             layout.label(text="Select a mesh object", icon="INFO")
             return
         settings = obj.dirichlet

@@ -4,6 +4,7 @@
 import importlib
 import json
 import sysconfig
+from pathlib import Path
 
 import bpy
 import numpy as np
@@ -136,7 +137,7 @@ print("MODULES", json.dumps([name for name in added if name == "numpy" or "diric
     ],
     ids=["of another Python", "broken"],
 )
-def test_without_the_library_the_sentence_says_why(tmp_path, module, words):
+def test_without_the_library_the_panel_draws_and_the_sentence_says_why(tmp_path, module, words):
     folder = tmp_path / STAGED.name
     folder.mkdir()
     for part in STAGED.iterdir():
@@ -147,9 +148,11 @@ def test_without_the_library_the_sentence_says_why(tmp_path, module, words):
     (folder / "dirichlet_surface" / module).write_bytes(b"")
     run = run_blender(f"""
 import bpy, importlib, sys
-sys.path.insert(0, {str(tmp_path)!r})
+sys.path[:0] = {[str(tmp_path), str(Path(__file__).parent)]!r}
 addon = importlib.import_module({STAGED.name!r})
 addon.register()
+from test_panels import drawn
+print("PANEL", *drawn("DIRICHLET_PT_patches"))
 obj = bpy.context.active_object
 obj.vertex_groups.new(name="a")
 bpy.ops.dirichlet.patch_add_group()
@@ -162,6 +165,9 @@ obj.dirichlet.ramp_preset = "grey"
 """)
     sentence = run.stdout.partition("SENTENCE")[2].splitlines()[0]
     assert all(word in sentence for word in words)
+    panel = run.stdout.partition("PANEL")[2].splitlines()[0]
+    assert "dirichlet.patch_add_group" in panel
+    assert ("expected _native" in panel) == ("expected _native" in sentence)  # before anything was tried
     assert sentence.count(module) == 1
     assert run.stdout.partition("FAILURE")[2].splitlines()[0].strip() in sentence
     assert "Traceback" not in run.stdout + run.stderr
