@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Wheels and zips:
 #
-#   package.sh wheel            the wheel for this machine's Python, into build/wheels
-#   package.sh package [--all]  that of every Debian that is here (--all: of all), and the zips, into dist/, which is as it
-#                               was until then
-#   package.sh package --twice  wheel and zips once more, in a folder elsewhere: the same bytes as in dist/
+#   package.sh wheel             the wheel for this machine's Python, into build/wheels, and tried
+#   package.sh package [--here]  those of all Debians (--here: of those that are here already) and the zips, into dist/,
+#                                which is as it was until then
+#   package.sh package --twice   wheel and zips once more, in a folder elsewhere: the same bytes as in dist/
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
 # shellcheck source=tests/debian/common.sh
@@ -33,6 +33,13 @@ make_wheel() { # the same sources and compiler give the same bytes
     build/wheel-venv/bin/auditwheel repair --wheel-dir build/wheels build/raw-wheels/*.whl
 }
 
+try_wheel() { # in an environment that has nothing else but the newest NumPy, as of one who installs it
+  say "Trying the wheel"
+  "$python" -m venv --clear build/try-venv
+  build/try-venv/bin/pip install -q --disable-pip-version-check build/wheels/*.whl
+  (cd build/try-venv && bin/python -I ../../tests/installed_wheel.py)
+}
+
 wheel_of() { # RELEASE: to the others; one that fails is told, and does not keep the others back
   local log=build/$1/wheel.log
   say "Building the wheel for the Python of Debian's $1"
@@ -46,18 +53,19 @@ wheel_of() { # RELEASE: to the others; one that fails is told, and does not keep
   fi
 }
 
-make_package() { # [--all]
+make_package() { # [--here]
   local release failed=()
   make_wheel
+  try_wheel
   rm -rf "$made"
   mkdir "$made"
   cp build/wheels/*.whl "$made"
   for release in "${releases[@]}"; do
     is_here "$release" && continue
-    if [[ ${1-} == --all ]] || tests/debian/in_root.sh "$release"; then
-      wheel_of "$release" || failed+=("$release")
+    if [[ ${1-} == --here ]] && ! tests/debian/in_root.sh "$release"; then
+      say "Without a wheel for the Python of Debian's $release, which is not here; ./run package makes that as well"
     else
-      say "Without a wheel for the Python of Debian's $release: ./run package --all makes that as well"
+      wheel_of "$release" || failed+=("$release")
     fi
   done
   say "Packaging"
@@ -84,9 +92,12 @@ compare_with_another() { # neither the folder nor the time of a build is in what
 
 main() {
   case ${1-} in
-  wheel) make_wheel ;;
+  wheel)
+    make_wheel
+    try_wheel
+    ;;
   package)
-    [[ "${*:2}" =~ ^(--all|--twice)?$ ]] || die "'package' takes --all, or --twice, or nothing"
+    [[ "${*:2}" =~ ^(--here|--twice)?$ ]] || die "'package' takes --here, or --twice, or nothing"
     if [[ ${2-} == --twice ]]; then compare_with_another; else make_package "${2-}"; fi
     ;;
   *) die "package.sh takes wheel or package" ;;

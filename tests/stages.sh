@@ -110,8 +110,12 @@ run_stage() { # STAGE FUNCTION ARG…
 }
 
 run_in_blenders() { # VERSION…: side by side, since each suite takes one core; what they said comes one after the other
-  local version start status pids=() i=0
-  run_stage package blender_scripts/package.sh package --all
+  local version start status pids=() i=0 here=()
+  if (($# < ${#releases[@]})); then # no Debian is made for a wheel that none of them takes
+    [[ $1 == bpy ]] || in_release "${releases[$1]}" ready
+    here=(--here)
+  fi
+  run_stage package blender_scripts/package.sh package "${here[@]}"
   run_stage saved hand_over_saved
   start=$(date +%s)
   for version; do
@@ -149,6 +153,7 @@ run_everything() {
 
 main() { # [STAGE [PYTEST-ARG…]] or --blender VERSION
   local versions=("${2-all}")
+  [[ ${1-} != --blender ]] || (($# <= 2)) || die "'--blender' takes one version, and no more words such as '$3'"
   trap 'trap - TERM; kill 0' INT # what runs in the background would go on
   [[ ${1-} == --ui ]] && set -- ui "${@:2}"
   if [[ ${1-} == --blender ]]; then

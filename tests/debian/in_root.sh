@@ -27,7 +27,7 @@ make_root() { # beside its place, then renamed: a root that is there is whole
   echo "Making a Debian $release in $root"
   as_root rm -rf --one-file-system "$beside"
   as_root unshare --mount debootstrap --variant=minbase --include=ca-certificates "$release" "$beside" "$(mirror)" \
-    >"$root.log" || die "no Debian $release could be made of the mirror: $(tail -n 1 "$root.log")"
+    >"$root.log" 2>&1 || die "no Debian $release could be made of the mirror: $(tail -n 1 "$root.log")"
   printf '#!/bin/sh\nexit 101\n' | as_root tee "$beside/usr/sbin/policy-rc.d" >/dev/null # no service starts
   as_root chmod +x "$beside/usr/sbin/policy-rc.d"
   echo 'Acquire::Check-Valid-Until "false";' | # a mirror may lag behind a release that has no end; signatures do count
