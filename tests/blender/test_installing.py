@@ -79,6 +79,14 @@ def files(environment):
     return {str(path.relative_to(home)) for path in home.rglob("*") if path.is_file()}
 
 
+@pytest.mark.skipif(bpy.app.version < (4, 2), reason="extensions came with 4.2")
+@pytest.mark.skipif(BLENDER.endswith("/bpy"), reason="it has no command line")
+def test_blender_finds_the_extension_valid(environment, archive):
+    printed = configuration.extension(BLENDER, environment, "validate", str(archive))
+    assert "Success" in printed
+    assert not re.search("error|warning", printed, re.IGNORECASE), printed
+
+
 def test_a_saved_file_opens_in_another_process_and_gives_the_same_again(look):
     saved, anew, _version = look()
     assert saved[:2] == [7, ["a", "b"]]
