@@ -22,6 +22,10 @@ _PLATFORMS = {
 }
 
 
+_MOST_BYTES = 15_000_000
+_EARLIEST = (4, 2, 0), (3, 4, 0)  # Blender of extensions, and of bl_info
+
+
 class RuleError(Exception):
     """A rule that does not hold, in a sentence that names the place."""
 
@@ -35,6 +39,11 @@ class Wheel(NamedTuple):
     platforms: tuple[str, ...]
 
 
+def platform_of(tag: str) -> str | None:
+    """Blender's name of a wheel's platform; None where it has none."""
+    return next((place for known, place in _PLATFORMS.items() if re.fullmatch(known, tag)), None)
+
+
 def read_wheel_name(name: str) -> Wheel:
     """Raises RuleError where Blender could not tell for whom the wheel is."""
     parts = name.removesuffix(".whl").split("-")
@@ -43,7 +52,7 @@ def read_wheel_name(name: str) -> Wheel:
     distribution, version, python, abi, tags = parts
     if python != abi or not re.fullmatch(r"cp3\d+", python):
         raise RuleError(f"{name} is for {python}-{abi}, expected one version of CPython, such as cp311-cp311")
-    platforms = {place for tag in tags.split(".") for known, place in _PLATFORMS.items() if re.fullmatch(known, tag)}
+    platforms = {place for tag in tags.split(".") if (place := platform_of(tag))}
     if not platforms:
         raise RuleError(f"{name} is for '{tags}', which is no platform of Blender")
     return Wheel(distribution, version, python, tuple(sorted(platforms)))
@@ -63,6 +72,10 @@ def check_extension(archive: Path, version: str) -> None:
         names = content.namelist()
         manifest = tomllib.loads(content.read("blender_manifest.toml").decode())
         bl_info = read_bl_info(content.read("__init__.py").decode())
+        for wheel in names:
+            if wheel.endswith(".whl"):
+                with zipfile.ZipFile(content.open(wheel)) as inside:
+                    _check_terms(PurePosixPath(wheel).name, inside.namelist())
     _check_names(archive, names)
     _check_manifest(manifest)
     _check_agreement(manifest, bl_info, version)
@@ -76,6 +89,7 @@ def check_legacy(archive: Path, version: str) -> None:
         top = PurePosixPath(names[0]).parts[0]
         found = ".".join(map(str, read_bl_info(content.read(f"{top}/__init__.py").decode())["version"]))
     _check_names(archive, names)
+    _check_terms(archive.name, names)
     if found != version:
         raise RuleError(f"version differs: {version!r} in the project, {found!r} in bl_info")
     if not any(name.startswith(f"{top}/dirichlet_surface/_native.") for name in names):
@@ -84,8 +98,18 @@ def check_legacy(archive: Path, version: str) -> None:
 
 def _check_names(archive: Path, names: list[str]) -> None:
     for name in names:
-        if re.search(r"__pycache__|\.pyc$|(^|/)\.", name):
+        if re.search(r"__pycache__|\.pyc$|(^|/)\.(?!dylibs/)", name):
             raise RuleError(f"{archive.name} holds {name}, which nobody needs")
+    if archive.stat().st_size > _MOST_BYTES:
+        raise RuleError(f"{archive.name} has {archive.stat().st_size} bytes, more than {_MOST_BYTES}")
+
+
+def _check_terms(holder: str, names: list[str]) -> None:
+    """A library of others travels with its terms."""
+    if any("libOpenMesh" in name for name in names) and not any(
+        name.endswith("dirichlet_surface/licenses/OpenMesh.txt") for name in names
+    ):
+        raise RuleError(f"{holder} holds OpenMesh without its terms, dirichlet_surface/licenses/OpenMesh.txt")
 
 
 def _check_agreement(manifest: dict[str, Any], bl_info: dict[str, Any], version: str) -> None:
@@ -100,8 +124,17 @@ def _check_agreement(manifest: dict[str, Any], bl_info: dict[str, Any], version:
     for fact, places in facts.items():
         if len(set(places.values())) > 1:
             raise RuleError(f"{fact} differs: " + ", ".join(f"{value!r} in {place}" for place, value in places.items()))
+    if _numbers(manifest["blender_version_min"]) < _EARLIEST[0] or bl_info["blender"] != _EARLIEST[1]:
+        raise RuleError(
+            f"the manifest is for Blender {manifest['blender_version_min']} and later, bl_info for {bl_info['blender']}, "
+            f"not {_EARLIEST[0]} and {_EARLIEST[1]}"
+        )
     if bl_info["category"] not in manifest["tags"]:
         raise RuleError(f"bl_info's category {bl_info['category']!r} is none of the manifest's tags")
+
+
+def _numbers(version: str) -> tuple[int, ...]:
+    return tuple(map(int, version.split(".")))
 
 
 def _check_manifest(manifest: dict[str, Any]) -> None:
@@ -114,6 +147,10 @@ def _check_manifest(manifest: dict[str, Any]) -> None:
         raise RuleError("the tagline is longer than 64 letters, or ends with a full stop")
     if not all(name.startswith("SPDX:") for name in manifest["license"]):
         raise RuleError("the licence is no SPDX name, such as SPDX:GPL-3.0-or-later")
+    if not manifest.get("website", "https://").startswith("https://"):
+        raise RuleError(f"the website {manifest['website']!r} does not begin with https://")
+    if not {"__pycache__/", "*.pyc", ".*"} <= set(manifest.get("build", {}).get("paths_exclude_pattern", ())):
+        raise RuleError("the manifest's paths_exclude_pattern leaves compiled or hidden files in")
 
 
 def _check_wheels(manifest: dict[str, Any], held: list[str]) -> None:
@@ -124,6 +161,10 @@ def _check_wheels(manifest: dict[str, Any], held: list[str]) -> None:
     for wheel in wheels:
         if wheel.version != manifest["version"]:
             raise RuleError(f"the wheel for {wheel.python} has version {wheel.version}, not {manifest['version']}")
-    platforms = sorted({place for wheel in wheels for place in wheel.platforms})
+    pairs = [(wheel.python, place) for wheel in wheels for place in wheel.platforms]
+    for python, place in pairs:
+        if pairs.count((python, place)) > 1:
+            raise RuleError(f"there are several wheels for {python} on {place}, of which Blender takes any")
+    platforms = sorted({place for _, place in pairs})
     if platforms != sorted(manifest["platforms"]):
         raise RuleError(f"the manifest says platforms {manifest['platforms']}, the wheels are for {platforms}")

@@ -23,12 +23,13 @@ need_wheel_tools() {
   echo "${wheel_tools[*]}" >build/wheel-venv/tools
 }
 
-make_wheel() { # the same sources and compiler give the same bytes
+make_wheel() { # the same sources and compiler give the same bytes, whatever the umask
   need_wheel_tools
   say "Building the wheel for $("$python" --version)"
   rm -rf build/wheels build/raw-wheels
   SOURCE_DATE_EPOCH=315532800 build/wheel-venv/bin/pip wheel . -q --disable-pip-version-check --no-deps \
-    --no-build-isolation --config-settings=cmake.define.DIRICHLET_WERROR=ON --wheel-dir build/raw-wheels
+    --no-build-isolation --config-settings=cmake.define.DIRICHLET_WERROR=ON --config-settings=wheel.reproducible=true \
+    --wheel-dir build/raw-wheels
   SOURCE_DATE_EPOCH=315532800 PATH=$PWD/build/wheel-venv/bin:$PATH \
     build/wheel-venv/bin/auditwheel repair --wheel-dir build/wheels build/raw-wheels/*.whl
 }

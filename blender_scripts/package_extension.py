@@ -15,12 +15,13 @@ import re
 import shutil
 import subprocess
 import sys
+import sysconfig
 import tempfile
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from extension_rules import LEGACY_TAG, RuleError, check_extension, check_legacy, read_wheel_name
+from extension_rules import LEGACY_TAG, RuleError, check_extension, check_legacy, platform_of, read_wheel_name
 
 ROOT = Path(__file__).resolve().parents[1]
 NAME = "dirichlet_isolines"
@@ -87,11 +88,20 @@ def print_content(target: Path) -> None:
     print(f"{target}: {target.stat().st_size / 1e6:.2f} MB\n")
 
 
+def wheel_for_legacy(wheels: list[Path]) -> Path | None:
+    """That for this machine, where there are several: the zip has room for one."""
+    fitting = [wheel for wheel in wheels if read_wheel_name(wheel.name).python == LEGACY_TAG]
+    here = platform_of(re.sub("[-.]", "_", sysconfig.get_platform()))
+    return next(
+        (wheel for wheel in fitting if here in read_wheel_name(wheel.name).platforms), next(iter(fitting), None)
+    )
+
+
 def make(out: Path, wheels: list[Path], version: str) -> list[Path]:
     """Both zips, or all but the legacy one where there is no wheel for its Python. Raises RuleError."""
     out.mkdir(parents=True, exist_ok=True)
     extension, legacy = out / f"{NAME}-{version}.zip", out / f"{NAME}-{version}-legacy.zip"
-    of_legacy = next((wheel for wheel in wheels if read_wheel_name(wheel.name).python == LEGACY_TAG), None)
+    of_legacy = wheel_for_legacy(wheels)
     with tempfile.TemporaryDirectory() as folder:
         write_extension(extension, version, wheels, Path(folder))
         check_extension(extension, version)

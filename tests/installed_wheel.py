@@ -18,6 +18,8 @@ assert (folder / "py.typed").exists()
 assert (folder / "_native.pyi").exists()
 files = [str(path) for path in importlib.metadata.files(NAME)]
 assert any(path.endswith("LICENSE") for path in files), files
+for library in ("OpenMesh", "Eigen", "pybind11"):
+    assert f"dirichlet_surface/licenses/{library}.txt" in files, files
 assert not any(path.startswith("numpy") for path in files), files
 assert importlib.metadata.version(NAME) == ds.build_information()["version"]
 

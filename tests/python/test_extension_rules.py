@@ -82,11 +82,46 @@ def test_without_a_wheel_for_its_python_there_is_no_legacy_zip(tmp_path):
         (replaced("blender_manifest.toml", b'"linux-x64", ', b""), "says platforms"),
         (replaced("blender_manifest.toml", b"cp314-cp314", b"cp315-cp315"), "the manifest lists the wheels"),
         (lambda files: files | {"ui/__pycache__/panels.pyc": b""}, "which nobody needs"),
+        (lambda files: files | {"large": bytes(15_000_000)}, "bytes, more than 15000000"),
+        (replaced("blender_manifest.toml", b'"4.2.0"', b'"4.1.0"'), "is for Blender 4.1.0 and later"),
+        (replaced("__init__.py", b'"blender": (3, 4, 0)', b'"blender": (3, 3, 0)'), r"bl_info for \(3, 3, 0\)"),
+        (replaced("blender_manifest.toml", b"[build]", b"website = 'http://a'\n[build]"), "does not begin with https"),
+        (replaced("blender_manifest.toml", b'"*.pyc", ', b""), "leaves compiled or hidden files in"),
     ],
 )
 def test_what_breaks_a_rule_is_refused(extension, change, sentence):
     with pytest.raises(rules.RuleError, match=sentence):
         rules.check_extension(rewritten(extension, change), VERSION)
+
+
+def test_two_wheels_for_one_python_and_platform_are_refused(tmp_path):
+    older = "cp311-cp311-manylinux_2_28_x86_64"
+    with pytest.raises(rules.RuleError, match="several wheels for cp311 on linux-x64"):
+        package_extension.make(tmp_path, [wheel(tmp_path, TAGS[0]), wheel(tmp_path, older)], VERSION)
+
+
+def test_a_wheel_that_holds_openmesh_holds_its_terms(tmp_path):
+    made = wheel(tmp_path)
+    with zipfile.ZipFile(made, "a") as archive:
+        archive.writestr("dirichlet_surface/libOpenMeshCore.so.9", "")
+    with pytest.raises(rules.RuleError, match="holds OpenMesh without its terms"):
+        package_extension.make(tmp_path, [made], VERSION)
+    with zipfile.ZipFile(made, "a") as archive:
+        archive.writestr("dirichlet_surface/licenses/OpenMesh.txt", "")
+    package_extension.make(tmp_path, [made], VERSION)
+
+
+def test_the_legacy_zip_holds_the_library_for_this_platform(tmp_path, monkeypatch):
+    tags = [f"cp311-cp311-{place}" for place in ("macosx_11_0_arm64", "manylinux_2_28_x86_64", "win_amd64")]
+    wheels = [wheel(tmp_path, tag) for tag in tags]
+    for here, made in [("linux-x86_64", 1), ("win-amd64", 2), ("macosx-11.0-arm64", 0), ("plan-9", 0)]:
+        monkeypatch.setattr("sysconfig.get_platform", lambda here=here: here)
+        assert package_extension.wheel_for_legacy(wheels) == wheels[made]
+    assert package_extension.wheel_for_legacy([wheel(tmp_path, TAGS[1])]) is None
+
+
+def test_the_changelog_has_the_version():
+    assert f"\n## [{VERSION}] - 20" in (ROOT / "CHANGELOG.md").read_text()
 
 
 def test_a_wheel_of_another_version_is_refused(tmp_path):
