@@ -125,10 +125,8 @@ def _check_agreement(manifest: dict[str, Any], bl_info: dict[str, Any], version:
         if len(set(places.values())) > 1:
             raise RuleError(f"{fact} differs: " + ", ".join(f"{value!r} in {place}" for place, value in places.items()))
     if _numbers(manifest["blender_version_min"]) < _EARLIEST[0] or bl_info["blender"] != _EARLIEST[1]:
-        raise RuleError(
-            f"the manifest is for Blender {manifest['blender_version_min']} and later, bl_info for {bl_info['blender']}, "
-            f"not {_EARLIEST[0]} and {_EARLIEST[1]}"
-        )
+        found = f"{manifest['blender_version_min']} in the manifest, {bl_info['blender']} in bl_info"
+        raise RuleError(f"the earliest Blender is {found}, not {_EARLIEST[0]} or later and {_EARLIEST[1]}")
     if bl_info["category"] not in manifest["tags"]:
         raise RuleError(f"bl_info's category {bl_info['category']!r} is none of the manifest's tags")
 

@@ -30,8 +30,11 @@ make_wheel() { # the same sources and compiler give the same bytes, whatever the
   SOURCE_DATE_EPOCH=315532800 build/wheel-venv/bin/pip wheel . -q --disable-pip-version-check --no-deps \
     --no-build-isolation --config-settings=cmake.define.DIRICHLET_WERROR=ON --config-settings=wheel.reproducible=true \
     --wheel-dir build/raw-wheels
-  SOURCE_DATE_EPOCH=315532800 PATH=$PWD/build/wheel-venv/bin:$PATH \
-    build/wheel-venv/bin/auditwheel repair --wheel-dir build/wheels build/raw-wheels/*.whl
+  (
+    umask 022 # which its folders follow
+    SOURCE_DATE_EPOCH=315532800 PATH=$PWD/build/wheel-venv/bin:$PATH \
+      build/wheel-venv/bin/auditwheel repair --wheel-dir build/wheels build/raw-wheels/*.whl
+  )
 }
 
 try_wheel() { # in an environment that has nothing else but the newest NumPy, as of one who installs it

@@ -92,9 +92,8 @@ def wheel_for_legacy(wheels: list[Path]) -> Path | None:
     """That for this machine, where there are several: the zip has room for one."""
     fitting = [wheel for wheel in wheels if read_wheel_name(wheel.name).python == LEGACY_TAG]
     here = platform_of(re.sub("[-.]", "_", sysconfig.get_platform()))
-    return next(
-        (wheel for wheel in fitting if here in read_wheel_name(wheel.name).platforms), next(iter(fitting), None)
-    )
+    of_here = [wheel for wheel in fitting if here in read_wheel_name(wheel.name).platforms]
+    return next(iter(of_here + fitting), None)
 
 
 def make(out: Path, wheels: list[Path], version: str) -> list[Path]:
