@@ -51,7 +51,7 @@ def coordinate_infinite(obj):
 
 
 def weight_nan(obj):
-    paint(obj, "left", [23], weight=math.nan)
+    paint(obj, "left", [23, 24, 25], weight=math.nan)
 
 
 def groups_disagree(obj):
@@ -92,7 +92,7 @@ BREAKS = {
     below_threshold: "'left', 'right' have no vertices",
     coordinate_nan: "vertex 17",
     coordinate_infinite: "vertex 17",
-    weight_nan: "'left': the weight of vertex 23",
+    weight_nan: r"'left': the weight of vertex 23 \(and 2 more\) is not a number",
     groups_disagree: r"vertex 0 is in 'left' with value 0 and in 'right' with value 1 \(and 1 more vertex\)",
     value_nan: "'left'.* nan ",
     vertex_group_named_like_the_field: "'dirichlet_field' of mesh 'Grid' is a vertex group",

@@ -35,13 +35,12 @@ def read_patches(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = 
     names = set(obj.vertex_groups.keys())
     missing = [patch.group for patch in patches if patch.group not in names]
     if missing:
-        rest = " " + say("(and {count} more)", count=len(missing) - 1) if len(missing) > 1 else ""
         raise surface.InputError(
             say(
                 "object '{object}' has no vertex group '{group}'{rest}: pick one in the list",
                 object=obj.name,
                 group=missing[0],
-                rest=rest,
+                rest=_and_more(len(missing)),
             )
         )
     with evaluated.mesh_to_read(obj, depsgraph) as mesh:
@@ -49,15 +48,21 @@ def read_patches(obj: bpy.types.Object, depsgraph: bpy.types.Depsgraph | None = 
         return [_read_patch(patch, found, settings.threshold) for found, patch in zip(weights, patches, strict=True)]
 
 
+def _and_more(count: int) -> str:
+    """After the first of so many."""
+    return " " + say("(and {count} more)", count=count - 1) if count > 1 else ""
+
+
 def _read_patch(patch: bpy.types.PropertyGroup, weights: NDArray[np.float32], threshold: float) -> Any:
     surface = library.load()
     if np.isnan(weights).any():
-        vertex = int(np.flatnonzero(np.isnan(weights))[0])
+        vertices = np.flatnonzero(np.isnan(weights))
         raise surface.InputError(
             say(
-                "vertex group '{group}': the weight of vertex {vertex} is not a number",
+                "vertex group '{group}': the weight of vertex {vertex}{rest} is not a number",
                 group=patch.group,
-                vertex=vertex,
+                vertex=vertices[0],
+                rest=_and_more(len(vertices)),
             )
         )
     lowest = 0.0 if patch.weights_as_values else threshold
