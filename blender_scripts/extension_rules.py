@@ -20,8 +20,6 @@ _PLATFORMS = {
     r"win_amd64": "windows-x64",
     r"win_arm64": "windows-arm64",
 }
-
-
 _MOST_BYTES = 15_000_000
 _EARLIEST = (4, 2, 0), (3, 4, 0)  # Blender of extensions, and of bl_info
 

@@ -89,15 +89,15 @@ def print_content(target: Path) -> None:
 
 
 def wheel_for_legacy(wheels: list[Path]) -> Path | None:
-    """That for this machine, where there are several: the zip has room for one."""
+    """The zip has room for one: that for this machine, else the only one; None where that leaves a choice."""
     fitting = [wheel for wheel in wheels if read_wheel_name(wheel.name).python == LEGACY_TAG]
     here = platform_of(re.sub("[-.]", "_", sysconfig.get_platform()))
     of_here = [wheel for wheel in fitting if here in read_wheel_name(wheel.name).platforms]
-    return next(iter(of_here + fitting), None)
+    return next((choice[0] for choice in (of_here, fitting) if len(choice) == 1), None)
 
 
 def make(out: Path, wheels: list[Path], version: str) -> list[Path]:
-    """Both zips, or all but the legacy one where there is no wheel for its Python. Raises RuleError."""
+    """Both zips, or all but the legacy one where there is no wheel for it. Raises RuleError."""
     out.mkdir(parents=True, exist_ok=True)
     extension, legacy = out / f"{NAME}-{version}.zip", out / f"{NAME}-{version}-legacy.zip"
     of_legacy = wheel_for_legacy(wheels)
@@ -116,7 +116,7 @@ def main(out: Path, wheels: list[Path]) -> None:
     for target in made:
         print_content(target)
     if len(made) == 1:
-        print(f"No zip for Blender before 4.2: that takes the wheel for {LEGACY_TAG}")
+        print(f"No zip for Blender before 4.2: that takes one wheel for {LEGACY_TAG}, of several that for this machine")
 
 
 if __name__ == "__main__":

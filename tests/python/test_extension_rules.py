@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The add-on's zips keep the rules that Blender and users rely on, and a zip that breaks one is refused by its name."""
 
+import os
 import sys
 import zipfile
 from pathlib import Path
@@ -59,7 +60,11 @@ def test_the_zips_keep_the_rules_and_say_their_platforms(extension):
 
 def test_the_same_input_gives_the_same_bytes(extension, tmp_path):
     again = tmp_path / "again"
-    package_extension.make(again, sorted(tmp_path.glob("*.whl")), VERSION)
+    before = os.umask(0o077)
+    try:
+        package_extension.make(again, sorted(tmp_path.glob("*.whl")), VERSION)
+    finally:
+        os.umask(before)
     for made in again.glob("*.zip"):
         assert made.read_bytes() == (tmp_path / made.name).read_bytes()
     assert len(list(again.glob("*.zip"))) == 2
@@ -101,23 +106,47 @@ def test_two_wheels_for_one_python_and_platform_are_refused(tmp_path):
 
 
 def test_a_wheel_that_holds_openmesh_holds_its_terms(tmp_path):
-    made = wheel(tmp_path)
+    made = wheel(tmp_path, TAGS[1])
     with zipfile.ZipFile(made, "a") as archive:
         archive.writestr("dirichlet_surface/libOpenMeshCore.so.9", "")
-    with pytest.raises(rules.RuleError, match="holds OpenMesh without its terms"):
+    with pytest.raises(rules.RuleError, match="whl holds OpenMesh without its terms"):
         package_extension.make(tmp_path, [made], VERSION)
     with zipfile.ZipFile(made, "a") as archive:
         archive.writestr("dirichlet_surface/licenses/OpenMesh.txt", "")
     package_extension.make(tmp_path, [made], VERSION)
 
 
+def test_a_legacy_zip_that_holds_openmesh_holds_its_terms(extension):
+    legacy = extension.with_name(f"dirichlet_isolines-{VERSION}-legacy.zip")
+    with zipfile.ZipFile(legacy, "a") as archive:
+        archive.writestr("dirichlet_isolines/dirichlet_surface/libOpenMeshCore.so.9", "")
+    with pytest.raises(rules.RuleError, match=r"legacy\.zip holds OpenMesh without its terms"):
+        rules.check_legacy(legacy, VERSION)
+
+
 def test_the_legacy_zip_holds_the_library_for_this_platform(tmp_path, monkeypatch):
     tags = [f"cp311-cp311-{place}" for place in ("macosx_11_0_arm64", "manylinux_2_28_x86_64", "win_amd64")]
     wheels = [wheel(tmp_path, tag) for tag in tags]
-    for here, made in [("linux-x86_64", 1), ("win-amd64", 2), ("macosx-11.0-arm64", 0), ("plan-9", 0)]:
+    for here, made in [("linux-x86_64", 1), ("win-amd64", 2), ("macosx-11.0-arm64", 0)]:
         monkeypatch.setattr("sysconfig.get_platform", lambda here=here: here)
         assert package_extension.wheel_for_legacy(wheels) == wheels[made]
     assert package_extension.wheel_for_legacy([wheel(tmp_path, TAGS[1])]) is None
+
+
+def test_the_legacy_zip_of_another_machine_takes_the_only_platform(tmp_path, monkeypatch):
+    monkeypatch.setattr("sysconfig.get_platform", lambda: "plan-9")
+    wheels = [wheel(tmp_path, tag) for tag in TAGS]
+    assert package_extension.wheel_for_legacy(wheels) == wheels[0]
+    assert package_extension.wheel_for_legacy([*wheels, wheel(tmp_path, "cp311-cp311-win_amd64")]) is None
+
+
+def test_the_legacy_zip_may_hold_the_folder_that_delocate_makes(tmp_path):
+    made = wheel(tmp_path, "cp311-cp311-macosx_11_0_arm64")
+    with zipfile.ZipFile(made, "a") as archive:
+        archive.writestr("dirichlet_surface/.dylibs/libOpenMeshCore.dylib", "")
+        archive.writestr("dirichlet_surface/licenses/OpenMesh.txt", "")
+    _, legacy = package_extension.make(tmp_path, [made], VERSION)
+    assert "dirichlet_isolines/dirichlet_surface/.dylibs/libOpenMeshCore.dylib" in zipfile.ZipFile(legacy).namelist()
 
 
 def test_the_changelog_has_the_version():
