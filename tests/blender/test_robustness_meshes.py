@@ -23,12 +23,16 @@ def painted(name):
     return obj, positions, faces, vertices, values
 
 
+@pytest.mark.parametrize("laplacian", ["graph", "auto"])  # the others refuse meshes without any area
 @pytest.mark.parametrize("name", SOUPS)
-def test_field_and_lines_are_the_librarys(surface, pipeline, name):
+def test_field_lines_and_warnings_are_the_librarys(surface, pipeline, name, laplacian):
     obj, positions, faces, vertices, values = painted(name)
+    obj.dirichlet.laplacian = laplacian
     mesh = library_mesh(surface, positions, faces)
-    field = surface.solve(mesh, vertices, values).values.astype(np.float32)
+    solved = surface.solve(mesh, vertices, values, laplacian=laplacian)
+    field = solved.values.astype(np.float32)
     pipeline.solve_field(obj)
+    assert obj.dirichlet.results.field_warnings.splitlines() == list(solved.report.warnings)
     assert [tuple(polygon.vertices) for polygon in obj.data.polygons] == [tuple(face) for face in faces]
     assert np.array_equal(field_of(obj), field, equal_nan=True)
     assert 0 <= np.nanmin(field) <= np.nanmax(field) <= 1
@@ -47,6 +51,30 @@ def assert_drawn(made, positions):
         assert (np.diff(points, axis=0) != 0).any(axis=1).all()
     assert len(made.object.data.splines) <= len(made.lines)
     assert not len(made.lines) or np.isfinite(made.lines.points).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("a face twice", "repeats face 0 (and 1 more"),
+        ("a corner moved onto another", "has no area"),
+        ("two sheets side by side", "2 pairs of vertices coincide"),
+        ("a bow tie", "face 0 crosses itself"),
+    ],
+)
+def test_what_is_seldom_meant_is_told_with_its_place(pipeline, name, words):
+    square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    positions, faces = {
+        "a face twice": ([*square, (2, 0, 0)], [(0, 1, 2, 3), (1, 4, 2), (0, 1, 2, 3), (3, 2, 1, 0)]),
+        "a corner moved onto another": ([*square, (1, 0, 0)], [(0, 1, 2, 3), (1, 4, 2)]),
+        "two sheets side by side": (square + [(x + 1, y, z) for x, y, z in square], [(0, 1, 2, 3), (4, 5, 6, 7)]),
+        "a bow tie": (square, [(0, 2, 1, 3)]),
+    }[name]
+    obj = add(positions, faces, name)
+    paint(obj, "low", [0], 0.0)
+    paint(obj, "high", [len(positions) - 1], 1.0)
+    assert words in " ".join(pipeline.solve_field(obj).warnings)
+    assert words in obj.dirichlet.results.field_warnings
 
 
 @pytest.mark.parametrize("name", ["Klein bottle", "torus", "sphere", "tetrahedron"])

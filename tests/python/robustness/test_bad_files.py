@@ -159,6 +159,15 @@ def test_a_name_that_is_no_text_is_shown_all_the_same(tmp_path):
     assert read_mesh(os.fsdecode(path)).face_count == 1
 
 
+@pytest.mark.parametrize("kind", WHOLE)
+def test_a_damaged_file_is_refused_by_name_and_line_on_the_command_line(command, kind):
+    whole = WHOLE[kind]
+    damaged = whole[:-3] if isinstance(whole, bytes) else whole.rstrip().rsplit("\n", 2)[0] + "\nf 1 2 nine\n"
+    name = command.write(f"damaged.{kind}", damaged)
+    message = command.refuses(name, *command.paint("low", 0, [0]), *command.paint("high", 1, [2]))
+    assert re.search(rf"damaged\.{re.escape(kind)}, (line|byte) \d+: ", message), message
+
+
 def test_names_that_are_no_text_are_solved_and_reported(command):
     name = os.fsdecode(b"m\xff.obj")
     command.write(name, OBJ)

@@ -102,3 +102,10 @@ def test_a_mesh_without_any_area_is_refused_for_it_but_the_graph_still_solves(la
     else:
         with pytest.raises(DirichletError, match="area"):
             solve(mesh, [0, 24], [0.0, 1.0], laplacian=laplacian)
+
+
+def test_a_mesh_without_any_area_is_refused_for_it_on_the_command_line(command):
+    mesh = command.write("mesh.obj", obj_of(Soup(grid(4, 4).positions * [1, 0, 0], grid(4, 4).faces)))
+    words = [mesh, *command.paint("low", 0, [0]), *command.paint("high", 1, [24])]
+    assert "none of the 32 faces has an area" in command.refuses(*words, "--laplacian", "cotangent")
+    assert "has no area" in command.accepts(*words)
