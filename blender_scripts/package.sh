@@ -28,8 +28,7 @@ make_wheel() { # the same sources and compiler give the same bytes, whatever the
   say "Building the wheel for $("$python" --version)"
   rm -rf build/wheels build/raw-wheels
   SOURCE_DATE_EPOCH=315532800 build/wheel-venv/bin/pip wheel . -q --disable-pip-version-check --no-deps \
-    --no-build-isolation --config-settings=cmake.define.DIRICHLET_WERROR=ON --config-settings=wheel.reproducible=true \
-    --wheel-dir build/raw-wheels
+    --no-build-isolation --config-settings=cmake.define.DIRICHLET_WERROR=ON --wheel-dir build/raw-wheels
   (
     umask 022 # which its folders follow
     SOURCE_DATE_EPOCH=315532800 PATH=$PWD/build/wheel-venv/bin:$PATH \
