@@ -56,9 +56,10 @@ def _bundled() -> str:
 def _mismatch(reason: str) -> str:
     """Nothing where the library for this Python is, whether it can be loaded or not."""
     spec = importlib.util.find_spec(_bundled()) or importlib.util.find_spec(_NAME)
-    folder = Path(spec.origin).parent if spec and spec.origin else Path(__file__).parent / _NAME
+    places = spec.submodule_search_locations if spec else None
+    folders = [Path(place) for place in places or [Path(__file__).parent / _NAME]]
     expected = [f"_native{suffix}" for suffix in importlib.machinery.EXTENSION_SUFFIXES]
-    found = sorted(path.name for path in folder.glob("_native*") if path.suffix != ".pyi")
+    found = sorted(path.name for folder in folders for path in folder.glob("_native*") if path.suffix != ".pyi")
     if any(name in expected for name in found):
         return ""
     return say(
@@ -67,7 +68,7 @@ def _mismatch(reason: str) -> str:
         expected=expected[0],
         major=sys.version_info.major,
         minor=sys.version_info.minor,
-        folder=folder,
+        folder=folders[0],
         found=", ".join(found) or say("no compiled module"),
         reason=reason,
     )

@@ -20,7 +20,7 @@ _PLATFORMS = {
     r"win_amd64": "windows-x64",
     r"win_arm64": "windows-arm64",
 }
-_MOST_BYTES = 15_000_000
+_MOST_BYTES = 15_000_000  # for each platform
 _EARLIEST = (4, 2, 0), (3, 4, 0)  # Blender of extensions, and of bl_info
 
 
@@ -76,6 +76,7 @@ def check_extension(archive: Path, version: str) -> None:
                     _check_terms(PurePosixPath(wheel).name, inside.namelist())
     _check_names(archive, names)
     _check_manifest(manifest)
+    _check_size(archive, len(manifest["platforms"]))
     _check_agreement(manifest, bl_info, version)
     _check_wheels(manifest, [name for name in names if name.endswith(".whl")])
 
@@ -87,6 +88,7 @@ def check_legacy(archive: Path, version: str) -> None:
         top = PurePosixPath(names[0]).parts[0]
         found = ".".join(map(str, read_bl_info(content.read(f"{top}/__init__.py").decode())["version"]))
     _check_names(archive, names)
+    _check_size(archive, 1)
     _check_terms(archive.name, names)
     if found != version:
         raise RuleError(f"version differs: {version!r} in the project, {found!r} in bl_info")
@@ -98,8 +100,11 @@ def _check_names(archive: Path, names: list[str]) -> None:
     for name in names:
         if re.search(r"__pycache__|\.pyc$|(^|/)\.(?!dylibs/)", name):
             raise RuleError(f"{archive.name} holds {name}, which nobody needs")
-    if archive.stat().st_size > _MOST_BYTES:
-        raise RuleError(f"{archive.name} has {archive.stat().st_size} bytes, more than {_MOST_BYTES}")
+
+
+def _check_size(archive: Path, platforms: int) -> None:
+    if archive.stat().st_size > platforms * _MOST_BYTES:
+        raise RuleError(f"{archive.name} has {archive.stat().st_size} bytes, more than {platforms * _MOST_BYTES}")
 
 
 def _check_terms(holder: str, names: list[str]) -> None:
@@ -130,6 +135,8 @@ def _check_agreement(manifest: dict[str, Any], bl_info: dict[str, Any], version:
 
 
 def _numbers(version: str) -> tuple[int, ...]:
+    if not re.fullmatch(r"\d+\.\d+\.\d+", version):
+        raise RuleError(f"the version {version!r} is not of three numbers, such as 4.2.0")
     return tuple(map(int, version.split(".")))
 
 

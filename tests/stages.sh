@@ -109,10 +109,15 @@ run_stage() { # STAGE FUNCTION ARG…
   judge "$stage" "$status" $((SECONDS - start))
 }
 
+make_ready() { # VERSION: its Debian, and that of the Blender whose file it opens
+  in_release bookworm ready
+  [[ $1 == bpy ]] || in_release "${releases[$1]}" ready
+}
+
 run_in_blenders() { # VERSION…: side by side, since each suite takes one core; what they said comes one after the other
   local version start status pids=() i=0 here=()
-  if (($# < ${#releases[@]})); then # no Debian is made for a wheel that none of them takes
-    [[ $1 == bpy ]] || in_release "${releases[$1]}" ready
+  if (($# < ${#releases[@]})); then # no Debian is made for a wheel that nobody takes
+    run_stage ready make_ready "$1"
     here=(--here)
   fi
   run_stage package blender_scripts/package.sh package "${here[@]}"

@@ -16,8 +16,8 @@ struct Point2 {
   double x = 0, y = 0;
 };
 
-/// Points of the plane, each either marked or not, and which of the marked ones may lie in a triangle: a balanced tree
-/// of halves, along x or y where they are longer. Keeps its memory from one set of points to the next.
+/// Points of the plane, each either marked or not, and which of the marked ones may lie in a triangle: a k-d tree,
+/// halved along x or y, where the points reach farther. Keeps its memory from one set of points to the next.
 class CornerTree {
  public:
   /// None is marked yet. Cost: O(n log n); nothing for few points, through which a search simply goes.

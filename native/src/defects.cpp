@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <set>
 #include <span>
+#include <utility>
 
 #include "dirichlet/triangulation.h"
 #include "index.h"
@@ -100,11 +102,14 @@ void find_coincident_vertices(const Mesh& mesh, const Components& pieces, Defect
   std::vector<std::array<Index, 2>> pairs;
   for (const Index v : border)
     if (const Index first = places.put(v); first != v) pairs.push_back({first, v});
-  for (const Index v : inside) // after those on a border, which come first in their place
-    if (const Index first = places.put(v); pieces.label[at(first)] != pieces.label[at(v)])
+  std::set<std::pair<Index, Index>> met; // a place, by who is first there, and a piece
+  for (const Index v : inside)           // after those on a border, which come first in their place
+    if (const Index first = places.put(v), piece = pieces.label[at(v)];
+        pieces.label[at(first)] != piece && met.insert({first, piece}).second)
       pairs.push_back({std::min(first, v), std::max(first, v)});
   if (pairs.empty()) return;
-  std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
+  std::sort(pairs.begin(), pairs.end(),
+            [](const auto& a, const auto& b) { return std::pair(a[1], a[0]) < std::pair(b[1], b[0]); });
   UnionFind joined = joined_vertices(mesh);
   for (const auto& [first, v] : pairs) {
     if (joined.find(first) == joined.find(v)) continue;

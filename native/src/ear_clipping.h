@@ -42,7 +42,7 @@ class EarClipper {
   std::vector<Index> previous_, next_; ///< among the corners left
   std::vector<int> turn_;              ///< 1 left, 0 straight on or back, -1 right; kRemoved
   std::vector<int> touched_;           ///< the round in which a neighbour was last cut off
-  CornerTree hollow_;                  ///< marked: corners that do not turn left
+  CornerTree hollow_;                  ///< marked: corners that do not turn left (reflex, or straight)
   std::vector<Index> waiting_, now_;   ///< corners to look at in the next round, and in this one
 };
 

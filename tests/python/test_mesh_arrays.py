@@ -181,10 +181,14 @@ def test_a_face_index_beyond_63_bits_is_named_and_does_not_wrap():
     assert str(2**64 - 1) in refusal(InputError, Mesh, SPHERE.positions, np.array([[0, 1, 2**64 - 1]], np.uint64))
     message = refusal(InputError, Mesh, SPHERE.positions, [[0, 1, 2], [0, 1, 2**70]])
     assert f"{2**70} at row 1, which is not an index" in message
+    assert f"{2**40} at its only place" in refusal(InputError, solve, SPHERE.mesh(), 2**40, [0.0])
 
 
 def test_what_is_no_number_is_named_with_its_place():
-    assert "None at place 1" in refusal(InputError, solve, SPHERE.mesh(), [0, 1], [0.0, None])
+    message = refusal(InputError, solve, SPHERE.mesh(), [0, 1, 2], [np.float32(0), None, None])
+    assert "None at place 1 (and 1 more entry)" in message
+    assert "beyond the largest float64" in refusal(InputError, solve, SPHERE.mesh(), [0, 1], [0.0, 10**400])
+    assert solve(SPHERE.mesh(), [0, 1], [0.0, 2**70]).values[1] == 2.0**70
     assert "'b' at row 1" in refusal(InputError, Mesh, SPHERE.positions, np.array([[0, 1, 2], [0, 1, "b"]], object))
 
 

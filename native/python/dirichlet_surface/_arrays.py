@@ -18,7 +18,7 @@ Reals = NDArray[np.float64]
 
 
 def as_array(values: ArrayLike, what: str) -> NDArray[Any]:
-    """An array of any type. Raises InputError for rows of different lengths, and for masked numbers."""
+    """An array of any type. Raises InputError for rows of different lengths, and for what a masked array masks."""
     if isinstance(values, np.ma.MaskedArray) and values.mask.any():
         raise InputError(f"{what} are masked at {_place(np.argwhere(values.mask))}")
     try:
@@ -27,9 +27,11 @@ def as_array(values: ArrayLike, what: str) -> NDArray[Any]:
         raise InputError(f"{what} do not form an array: they are of different lengths") from None
 
 
-def _place(found: NDArray[np.intp]) -> str:
-    """The first of np.argwhere, and how many more there are."""
-    return f"{'row' if found.shape[1] > 1 else 'place'} {found[0][0]}{and_more(len(found), 'number')}"
+def _place(found: NDArray[np.intp], what: str = "number") -> str:
+    """Where the first of np.argwhere is, and how many more there are."""
+    if found.shape[1] == 0:
+        return "its only place"
+    return f"{'row' if found.shape[1] > 1 else 'place'} {found[0][0]}{and_more(len(found), what)}"
 
 
 def _laid_out(array: NDArray[Any], dtype: type[Any]) -> NDArray[Any]:
@@ -43,9 +45,9 @@ def _require_numbers(values: ArrayLike, array: NDArray[Any], what: str, kinds: s
     got: Any = array.dtype
     if array.dtype == object:
         got = type(values).__name__ if array.ndim == 0 else "object"
-        other = [place for place, entry in np.ndenumerate(array) if not isinstance(entry, (int, float))]
+        other = [place for place, entry in np.ndenumerate(array) if not isinstance(entry, (int, float, np.number))]
         if array.ndim > 0 and other:
-            got = f"{array[other[0]]!r} at {_place(np.array(other))}"
+            got = f"{array[other[0]]!r} at {_place(np.array(other), 'entry')}"
     raise InputError(f"{what} have to be {numbers}, not {got}")
 
 
@@ -67,6 +69,11 @@ def as_indices(values: ArrayLike, what: str) -> Indices:
 def as_reals(values: ArrayLike, what: str) -> Reals:
     """Numbers as C-ordered float64."""
     array = as_array(values, what)
+    if array.dtype == object and all(isinstance(entry, (int, float)) for entry in array.flat):  # some beyond 64 bits
+        try:
+            array = array.astype(np.float64)
+        except OverflowError:
+            raise InputError(f"{what} have a number beyond the largest float64") from None
     _require_numbers(values, array, what, "fiub", "real numbers")
     return _laid_out(array, np.float64)
 

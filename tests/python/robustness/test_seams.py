@@ -102,6 +102,17 @@ def test_a_surface_that_touches_itself_inside_is_no_seam_though_there_are_other_
     assert find_defects(mesh).coincident_vertices == 0
 
 
+@pytest.mark.parametrize("pinched_first", [True, False])
+def test_pieces_that_touch_at_one_place_are_one_pair_whichever_comes_first(pinched_first):
+    pinched, other = sphere(7, 10), sphere(7, 10)
+    pinched.positions[20] = pinched.positions[50]
+    other.positions[:] = other.positions * 0.1 + pinched.positions[50] - 0.1 * other.positions[30]
+    other.positions[30] = pinched.positions[50]
+    both = [pinched, other] if pinched_first else [other, pinched]
+    faces = [*both[0].faces, *([vertex + 72 for vertex in face] for face in both[1].faces)]
+    assert find_defects(Mesh(np.vstack([soup.positions for soup in both]), faces)).coincident_vertices == 1
+
+
 def test_a_vertex_without_faces_stands_wherever_it_likes():
     ball = sphere(7, 10)
     assert find_defects(Mesh(np.vstack((ball.positions, ball.positions)), ball.faces)).coincident_vertices == 0
