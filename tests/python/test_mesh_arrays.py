@@ -186,7 +186,7 @@ def test_a_face_index_beyond_63_bits_is_named_and_does_not_wrap():
 
 def test_what_is_no_number_is_named_with_its_place():
     message = refusal(InputError, solve, SPHERE.mesh(), [0, 1, 2], [np.float32(0), None, None])
-    assert "None at place 1 (and 1 more entry)" in message
+    assert "None at place 1 (and 1 more element)" in message
     assert "beyond the largest float64" in refusal(InputError, solve, SPHERE.mesh(), [0, 1], [0.0, 10**400])
     assert solve(SPHERE.mesh(), [0, 1], [0.0, 2**70]).values[1] == 2.0**70
     assert "'b' at row 1" in refusal(InputError, Mesh, SPHERE.positions, np.array([[0, 1, 2], [0, 1, "b"]], object))

@@ -47,7 +47,7 @@ def _require_numbers(values: ArrayLike, array: NDArray[Any], what: str, kinds: s
         got = type(values).__name__ if array.ndim == 0 else "object"
         other = [place for place, entry in np.ndenumerate(array) if not isinstance(entry, (int, float, np.number))]
         if array.ndim > 0 and other:
-            got = f"{array[other[0]]!r} at {_place(np.array(other), 'entry')}"
+            got = f"{array[other[0]]!r} at {_place(np.array(other), 'element')}"
     raise InputError(f"{what} have to be {numbers}, not {got}")
 
 
