@@ -4,6 +4,8 @@
 import os
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
@@ -26,30 +28,33 @@ def refused(command, *words: str) -> str:
     return command.refuses("mesh.obj", *PAINT, outputs=words)
 
 
-@pytest.fixture
-def small_files():
-    """No file can grow beyond 1000 bytes, as on a disk that is full then."""
+@contextmanager
+def small_files() -> Iterator[None]:
+    """No file can grow beyond 1000 bytes, as on a disk that is full then; a log of the tests could not either."""
     resource = pytest.importorskip("resource")
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
-    yield lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limits[1]))
-    resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limits[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
 
 
 @pytest.mark.parametrize("name", OUTPUTS)
 @pytest.mark.parametrize("present", [False, True], ids=["new", "present"])
-def test_a_disk_that_fills_up_leaves_what_was_there(command, small_files, name, present):
+def test_a_disk_that_fills_up_leaves_what_was_there(command, name, present):
     command.write("mesh.obj", obj_of(SPHERE))
     if present:
         command.write(name, "precious")
-    small_files()
-    assert name in refused(command, *option(name))
+    with small_files():
+        assert name in refused(command, *option(name))
 
 
 @pytest.mark.parametrize("name", MESHES)
-def test_a_mesh_on_a_disk_that_fills_up_leaves_what_was_there(command, small_files, name):
+def test_a_mesh_on_a_disk_that_fills_up_leaves_what_was_there(command, name):
     command.write(name, "precious")
-    small_files()
-    assert f"{name} cannot be written: File too large" in refusal(write_mesh, name, SPHERE.mesh())
+    with small_files():
+        assert f"{name} cannot be written: File too large" in refusal(write_mesh, name, SPHERE.mesh())
     assert snapshot() == {name: b"precious"}
 
 
@@ -98,11 +103,11 @@ def test_a_link_stays_one_and_a_file_keeps_its_permissions(command, name):
     assert os.stat("real").st_size > 3
 
 
-def test_a_writer_that_fails_last_leaves_the_others_unwritten(command, small_files):
+def test_a_writer_that_fails_last_leaves_the_others_unwritten(command):
     command.write("mesh.obj", obj_of(SPHERE))
     command.write("field.npy", "precious")
-    small_files()
-    refused(command, "--report", "report.json", "--out-field", "field.npy")
+    with small_files():
+        refused(command, "--report", "report.json", "--out-field", "field.npy")
 
 
 def test_a_process_without_memory_says_so_in_one_sentence(command, package_path):
