@@ -109,31 +109,46 @@ run_stage() { # STAGE FUNCTION ARG…
   judge "$stage" "$status" $((SECONDS - start))
 }
 
+keep_stage() { # STAGE FUNCTION ARG…: for stages side by side; tell_stage tells how it went
+  local stage=$1 start=$SECONDS status
+  shift
+  set +e
+  (set -e; "$@") >"build/test/$stage.log" 2>&1
+  status=$?
+  set -e
+  echo "$status $((SECONDS - start))" >"build/test/$stage.end"
+}
+
+tell_stage() { # STAGE
+  local status seconds
+  say "Tests: $1"
+  cat "build/test/$1.log"
+  read -r status seconds <"build/test/$1.end"
+  judge "$1" "$status" "$seconds"
+}
+
 make_ready() { # VERSION: its Debian, and that of the Blender whose file it opens
   in_release bookworm ready
   [[ $1 == bpy ]] || in_release "${releases[$1]}" ready
 }
 
-run_in_blenders() { # VERSION…: side by side, since each suite takes one core; what they said comes one after the other
-  local version start status pids=() i=0 here=()
+make_what_is_installed() { # VERSION…: the zips, and a file of 3.4's
+  local here=()
   if (($# < ${#releases[@]})); then # no Debian is made for a wheel that nobody takes
     run_stage ready make_ready "$1"
     here=(--here)
   fi
   run_stage package blender_scripts/package.sh package "${here[@]}"
   run_stage saved hand_over_saved
-  start=$(date +%s)
-  for version; do
-    (set -e; test_in_blender "$version") >"build/test/blender $version.log" 2>&1 &
-    pids+=($!)
-  done
-  for version; do
-    status=0
-    wait "${pids[i++]}" || status=$?
-    say "Tests: blender $version"
-    cat "build/test/blender $version.log"
-    judge "blender $version" $status $(($(stat -c %Y "build/test/blender $version.log") - start))
-  done
+}
+
+run_in_blenders() { # VERSION…: side by side
+  local version
+  make_what_is_installed "$@"
+  say "Tests: blender, $*: side by side; build/test/ has their logs"
+  for version; do keep_stage "blender $version" test_in_blender "$version" & done
+  wait
+  for version; do tell_stage "blender $version"; done
 }
 
 make_roots() { # side by side: they wait for the network. What fails here fails again, and is told, where it is needed
@@ -145,15 +160,23 @@ make_roots() { # side by side: they wait for the network. What fails here fails 
 }
 
 run_everything() {
-  local stage making
+  local stage version making
   make_roots &
   making=$!
-  for stage in "${stages[@]}"; do
-    [[ $stage == blender ]] || run_stage "$stage" "stage_$stage" # that of this machine is one of the three
-  done
+  for stage in cpp sanitize threads fuzz; do run_stage "$stage" "stage_$stage"; done
   wait $making
-  run_in_blenders 3.4 4.3 5.2
-  run_stage "ui 5.2" in_release sid ui_installed
+  make_what_is_installed 3.4 4.3 5.2
+  say "Tests: the others, on one core those in windows; build/test/ has their logs"
+  {
+    keep_stage ui stage_ui
+    keep_stage "ui 5.2" in_release sid ui_installed
+  } &
+  {
+    for version in 5.2 4.3 3.4; do keep_stage "blender $version" test_in_blender "$version"; done
+    keep_stage python stage_python
+  } &
+  wait
+  for stage in python "blender 3.4" "blender 4.3" "blender 5.2" ui "ui 5.2"; do tell_stage "$stage"; done
 }
 
 main() { # [STAGE [PYTEST-ARG…]] or --blender VERSION
@@ -170,6 +193,7 @@ main() { # [STAGE [PYTEST-ARG…]] or --blender VERSION
   fi
   need "${build_packages[@]}" "${blender_packages[@]}" "${window_packages[@]}" "${test_packages[@]}"
   mkdir -p build/test
+  rm -f build/test/*.end # of an earlier run
   case ${1-} in
   "") run_everything ;;
   --blender) run_in_blenders "${versions[@]}" ;;

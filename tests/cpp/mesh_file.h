@@ -28,7 +28,7 @@ class MeshFile : public testing::Test {
  protected:
   MeshFile() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("dirichlet_") + test->name());
+    folder_ = fs::path(testing::TempDir()) / (std::string("dirichlet_") + test->test_suite_name() + test->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
