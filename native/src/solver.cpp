@@ -26,7 +26,6 @@ void check_options(const SolverOptions& options) {
 }
 
 std::unique_ptr<Solver> choose_iterative(SparseMatrix&& K, const SolverOptions& options, double analysis_seconds) {
-  limit_weights(K);
   return options.method == Method::least_squares_cg ? make_least_squares_solver(std::move(K), options)
                                                     : make_multigrid_solver(std::move(K), options, analysis_seconds);
 }
@@ -39,8 +38,8 @@ std::unique_ptr<Solver> choose_solver(SparseMatrix&& K, const SolverOptions& opt
   if (options.method == Method::automatic &&
       direct_solver_bytes(*analysis.symbolic, K.nonZeros(), options.precision) > budget)
     return choose_iterative(std::move(K), options, analysis.seconds);
-  if (options.precision == Precision::float32) limit_weights(K);
-  return make_direct_solver(K, analysis, budget, options);
+  const bool weak_links = options.precision == Precision::float32 && limit_weights(K, "a float32 factor");
+  return make_direct_solver(K, analysis, budget, options, weak_links);
 }
 
 } // namespace

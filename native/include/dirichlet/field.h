@@ -80,7 +80,8 @@ struct Outside;
 /// painted neighbours give them (see injection.h). A direct method in float64, where no weight is negative, has
 /// each column of φ right to its last digits even where weights differ enormously: there a row counts only as far as it
 /// exceeds 8 ε max|φ| Σ_j |K_ij|, which rounding of φ alone may leave. Other methods are not spared: where weights
-/// differ as much, their residual tells of their error, which may be a hundred times as large.
+/// differ as much, their residual tells of their error, which may be a hundred times as large; and far larger where
+/// negative weights all but cancel the others, as on quads whose corners are far out of one plane.
 ///
 /// May be used from several threads: a `paint` waits for the `solve`s that run, and they for it.
 class HarmonicSolver {

@@ -42,7 +42,8 @@ Eigen::Map<const SparseMatrix> view(const OrderedMatrix& matrix) {
 template <class Real>
 class DirectSolver final : public Solver {
  public:
-  DirectSolver(const SparseMatrix& K, const Analysis& analysis, std::int64_t most_kept, const SolverOptions& options)
+  DirectSolver(const SparseMatrix& K, const Analysis& analysis, std::int64_t most_kept, const SolverOptions& options,
+               bool weak_links)
       : symbolic_(analysis.symbolic), matrix_(std::make_shared<const OrderedMatrix>(order_matrix(K, symbolic_->order))),
         statistics_{.method = Method::direct,
                     .nonzeros = K.nonZeros(),
@@ -50,7 +51,7 @@ class DirectSolver final : public Solver {
                     .factor_bytes = Factor<Real>::bytes_needed(*symbolic_, K.nonZeros(), 0),
                     .analysis_seconds = analysis.seconds,
                     .sums_pivots = has_uneven_weights(K),
-                    .weak_links = !std::is_same_v<Real, double> && check_weak_links(K, "a float32 factor")},
+                    .weak_links = weak_links},
         factor_(symbolic_, matrix_, statistics_.sums_pivots ? Pivots::summed : Pivots::subtracted, most_kept,
                 options.cancel),
         tolerance_(options.tolerance.value_or(kTwinTolerance)),
@@ -122,13 +123,13 @@ std::int64_t direct_solver_bytes(const SymbolicFactor& symbolic, std::int64_t en
 }
 
 std::unique_ptr<Solver> make_direct_solver(const SparseMatrix& K, const Analysis& analysis, std::int64_t memory_budget,
-                                           const SolverOptions& options) {
+                                           const SolverOptions& options, bool weak_links) {
   // Beyond about half the factor, more kept update matrices hardly spare a stroke any work.
   const std::int64_t needed = direct_solver_bytes(*analysis.symbolic, K.nonZeros(), options.precision);
   const std::int64_t most_kept = std::clamp<std::int64_t>(memory_budget - needed, 0, needed / 2);
   if (options.precision == Precision::float32)
-    return std::make_unique<DirectSolver<float>>(K, analysis, most_kept, options);
-  return std::make_unique<DirectSolver<double>>(K, analysis, most_kept, options);
+    return std::make_unique<DirectSolver<float>>(K, analysis, most_kept, options, weak_links);
+  return std::make_unique<DirectSolver<double>>(K, analysis, most_kept, options, weak_links);
 }
 
 } // namespace dirichlet

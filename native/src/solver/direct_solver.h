@@ -21,7 +21,8 @@ Analysis analyse_pattern(const SparseMatrix& K, const CancelToken& cancel);
 std::int64_t direct_solver_bytes(const SymbolicFactor& symbolic, std::int64_t entries, Precision precision);
 
 /// Multifrontal Cholesky of the injected twin, in float64, or in float32 with conjugate gradients that refine it.
+/// \param weak_links  for its statistics
 std::unique_ptr<Solver> make_direct_solver(const SparseMatrix& K, const Analysis& analysis, std::int64_t memory_budget,
-                                           const SolverOptions& options);
+                                           const SolverOptions& options, bool weak_links);
 
 } // namespace dirichlet

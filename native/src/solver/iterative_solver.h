@@ -35,7 +35,7 @@ class IterativeSolver : public Solver {
       : order_(at(static_cast<Index>(K.rows()))), statistics_{.method = method,
                                                               .nonzeros = K.nonZeros(),
                                                               .analysis_seconds = analysis_seconds,
-                                                              .weak_links = check_weak_links(K, name(method, asked))} {
+                                                              .weak_links = limit_weights(K, name(method, asked))} {
     K_.swap(K); // Eigen 3.4 copies what is moved
     std::iota(order_.begin(), order_.end(), Index{0});
   }

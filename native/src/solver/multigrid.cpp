@@ -145,7 +145,8 @@ class Multigrid::Iteration {
       if (steps >= max_iterations || stands)
         throw SolverError(message("multigrid conjugate gradients stopped at a relative residual of ", roughly(residual),
                                   " after ", counted(steps, "step"), ", short of the tolerance ", tolerance,
-                                  "; allow more steps or a larger tolerance, or take the direct method"));
+                                  stands ? ", where rounding ends; allow" : "; allow more steps or",
+                                  " a larger tolerance, or take the direct method"));
       double rho = 0;
       do {
         grid_.cancel_.check();
@@ -177,14 +178,19 @@ class Multigrid::Iteration {
     return scale_ == 0 ? 0 : std::sqrt(square) / scale_; // where b = 0, x started at the solution
   }
 
-  /// What sums of products of this size are off by, relative like a residual.
+  /// What sums of so many products of this size may be off by, relative like a residual.
   double rounding() const {
     const double square = sum_rows(x_.size(), [&](Index i) {
-      double sum = 0;
-      if (!painted(i)) for_row(grid_.K_, i, [&](Index j, double a) { sum += std::abs(a * x_[at(j)]); });
+      double sum = 0, count = 0;
+      if (!painted(i))
+        for_row(grid_.K_, i, [&](Index j, double a) {
+          sum += std::abs(a * x_[at(j)]);
+          ++count;
+        });
+      sum *= std::max(8.0, count);
       return sum * sum;
     });
-    return 8 * std::numeric_limits<double>::epsilon() * std::sqrt(square) / scale_;
+    return std::numeric_limits<double>::epsilon() * std::sqrt(square) / scale_;
   }
 
   /// One step. \param rho  rᵀz of the step before, 0 at the first. \returns ‖r‖ / ‖b‖

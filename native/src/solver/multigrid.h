@@ -44,8 +44,9 @@ class Multigrid {
   /// \param x               (n,) in: where to start; out: the solution
   /// \param tolerance       stop at ‖b − A x‖ ≤ tolerance ‖b‖, both over free vertices
   /// \param max_iterations  give up after so many steps
-  /// \param to_rounding     be content with a residual that rounding alone may leave, 8 ε ‖|A| |x|‖, where it grows no
-  ///                        smaller
+  /// \param to_rounding     be content with a residual that rounding alone may leave, m ε |A| |x| for a row of m
+  /// entries
+  ///                        (at least 8), where it grows no smaller
   /// \throws InputError   an array of a wrong length
   /// \throws SolverError  short of the tolerance after max_iterations or where rounding ends, A is not positive
   ///                      definite, or a number is not finite. x is not changed then.

@@ -2,6 +2,7 @@
 #include "solver/weak_links.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -53,6 +54,36 @@ WeightRange weight_range(const SparseMatrix& K) {
   return all;
 }
 
+/// Makes weights no larger than kMost, and rows sum to 0 again.
+/// \returns  whether some row had several that were larger, and differed
+bool level_weights(SparseMatrix& K) {
+  constexpr double kMost = 0x1p26, kAlike = 1 + 1e-8;
+  const WeightRange range = weight_range(K);
+  if (!range.is_laplacian || range.largest <= kMost) return false;
+  std::atomic<bool> levelled = false;
+  parallel_chunks(at(static_cast<Index>(K.rows())), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i) {
+      double sum = 0, *diagonal = nullptr;
+      double least = std::numeric_limits<double>::infinity(), largest = 0; // of those above kMost
+      for (Index e = K.outerIndexPtr()[i]; e < K.outerIndexPtr()[i + 1]; ++e) {
+        double& k = K.valuePtr()[e];
+        if (K.innerIndexPtr()[e] == i) {
+          diagonal = &k;
+          continue;
+        }
+        if (const double size = std::abs(k); size > kMost) {
+          least = std::min(least, size);
+          largest = std::max(largest, size);
+        }
+        sum += k = std::clamp(k, -kMost, kMost);
+      }
+      if (diagonal != nullptr) *diagonal = 0 - sum;
+      if (largest > kAlike * least) levelled = true;
+    }
+  });
+  return levelled;
+}
+
 } // namespace
 
 bool has_uneven_weights(const SparseMatrix& K) {
@@ -82,31 +113,13 @@ bool has_weak_links(const SparseMatrix& K, double ratio) {
   return any_edge(false, [&](Index i, Index j) { return parts.find(i) != parts.find(j); });
 }
 
-void limit_weights(SparseMatrix& K) {
-  constexpr double kMost = 0x1p26;
-  const WeightRange range = weight_range(K);
-  if (!range.is_laplacian || range.largest <= kMost) return;
-  parallel_chunks(at(static_cast<Index>(K.rows())), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (auto i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i) {
-      double sum = 0, *diagonal = nullptr;
-      for (Index e = K.outerIndexPtr()[i]; e < K.outerIndexPtr()[i + 1]; ++e) {
-        double& k = K.valuePtr()[e];
-        if (K.innerIndexPtr()[e] == i)
-          diagonal = &k;
-        else
-          sum += k = std::clamp(k, -kMost, kMost);
-      }
-      if (diagonal != nullptr) *diagonal = 0 - sum;
-    }
-  });
-}
-
-bool check_weak_links(const SparseMatrix& K, const char* method) {
-  constexpr double kSeen = 1e-8, kTooWeak = 1e-13;
+bool limit_weights(SparseMatrix& K, const char* method) {
+  constexpr double kSeen = 1e-8, kTooWeak = 1e-13; // single precision begins to see the first
+  const bool levelled = level_weights(K);
   if (has_weak_links(K, kTooWeak))
     throw SolverError(message("some weights are over 1e13 times others, as across very thin faces, and ", method,
                               " would lose as many digits; the direct method in float64 is made for them"));
-  return has_weak_links(K, kSeen);
+  return has_weak_links(K, kSeen) || levelled;
 }
 
 } // namespace dirichlet

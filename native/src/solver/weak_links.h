@@ -14,12 +14,14 @@ bool has_uneven_weights(const SparseMatrix& K);
 /// faces. About as many digits are lost by all that subtracts from a stored diagonal.
 bool has_weak_links(const SparseMatrix& K, double ratio);
 
-/// The same for 1e-8, where single precision begins to see it.
-/// \throws SolverError  for 1e-13, where no digit is certain; names the method
-bool check_weak_links(const SparseMatrix& K, const char* method);
-
-/// Makes weights of surfaces, which have no unit, no larger than 2^26, and rows sum to 0 again. What so large a weight
-/// joins is one to half the digits of a double in any case, and the other half is left to the weights beside it.
-void limit_weights(SparseMatrix& K);
+/// Makes a Laplacian fit for a method that subtracts from a stored diagonal. Weights of surfaces, which have no unit,
+/// become no larger than 2^26, and rows sum to 0 again: what so large a weight joins is one to half the digits of a
+/// double in any case, and the other half is left to the weights beside it.
+/// \param method  for the message
+/// \returns  whether digits may be lost all the same: of parts that hang on the rest by weights 1e-8 of the largest,
+/// and
+///           of vertices between others that they were so close to, by weights that had differed
+/// \throws SolverError  weak links of 1e-13, where no digit is certain
+bool limit_weights(SparseMatrix& K, const char* method);
 
 } // namespace dirichlet

@@ -7,8 +7,8 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from dirichlet_surface import solve
-from mesh_makers import Soup, grid
+from dirichlet_surface import Mesh, solve
+from mesh_makers import Soup, grid, split
 from outcomes import refusal, warning_about
 
 COLUMNS, ROWS = 6, 4
@@ -131,6 +131,37 @@ def test_what_loses_the_digits_of_thin_triangles_says_so_or_refuses(options):
     assert not run(1.0).report.warnings
     assert "1e8 times others" in warning_about("very thin faces", run(2.0**-16).report.warnings)
     assert "the direct method in float64" in refusal(run, 2.0**-30)
+
+
+@pytest.mark.parametrize("options", [{"method": "multigrid"}, {"precision": "float32"}, {"method": "lscg"}], ids=str)
+def test_what_levels_the_weights_of_vertices_that_all_but_touch_says_so(options):
+    """At a cube hangs a fin of a free vertex, a quarter of the way from 0 to the other painted one."""
+    cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+
+    def run(width: float, **others):
+        mesh = Mesh([*cube, [-width, 0, 0], [-4 * width, 0, 0]], [*split(sides), [0, 8, 2], [8, 9, 2]])
+        return solve(mesh, [0, 9], [0.0, 1.0], laplacian="intrinsic_delaunay", **others)
+
+    np.testing.assert_allclose(run(1e-9).values[8], 0.25, rtol=1e-9)
+    assert not any("1e8 times" in warning for warning in run(1e-7, **options).report.warnings)
+    np.testing.assert_allclose(run(1e-7, **options).values[8], 0.25, rtol=1e-7)
+    assert "may have lost" in warning_about("1e8 times others", run(1e-9, **options).report.warnings)
+
+
+@pytest.mark.parametrize("painted", [{2: 0.0, 3: 1.0}, {2: 1.0}, {2: 0.0, 100: 1.0, 5002: 0.3}], ids=str)
+def test_multigrid_is_content_with_what_rounding_leaves_beside_a_vertex_of_ten_thousand_faces(painted):
+    count = 10_000
+    angle = 2 * np.pi * np.arange(count) / count
+    rim = np.column_stack((np.cos(angle), np.sin(angle), 0 * angle))
+    here = np.arange(count)
+    ahead = (here + 1) % count
+    faces = np.vstack(
+        (np.column_stack((0 * here, here + 2, ahead + 2)), np.column_stack((here**0, ahead + 2, here + 2)))
+    )
+    mesh = Mesh(np.vstack(([[0, 0, 1], [0, 0, -1]], rim)), faces)
+    fields = [solve(mesh, list(painted), list(painted.values()), method=m).values for m in ("multigrid", "direct")]
+    np.testing.assert_allclose(*fields, rtol=0, atol=1e-8)
 
 
 def test_a_memory_budget_leaves_multigrid_to_thin_triangles_as_far_as_it_can_tell_their_field():
