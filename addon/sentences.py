@@ -21,6 +21,7 @@ TEMPLATES = (
     "every painted value is {value}, so the field is constant",
     "the window from {low} to {high} is empty",
     "the window from {low} to {high} holds none of the field's range {least} to {greatest}",
+    "the surface has no area from {low} to {high} of the field, which levels could share out",
     "the number of levels is {count}, but has to be from {least} to {most}",
     "the step is {step}, but has to be positive",
     "a step of {step} makes more than {most} levels from {low} to {high}",

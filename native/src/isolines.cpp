@@ -12,6 +12,7 @@
 #include "isoline_tracing.h"
 #include "level_numbers.h"
 #include "line_geometry.h"
+#include "mesh_checks.h"
 #include "message.h"
 #include "parallel.h"
 
@@ -196,6 +197,8 @@ Isolines extract_isolines(const Mesh& mesh, std::span<const double> field, std::
   });
   if (std::accumulate(counts.begin(), counts.end(), std::size_t{0}) < traces.half_edges.size())
     close_gaps(lines, counts);
+  if (!std::ranges::all_of(lines.length, [](double length) { return std::isfinite(length); }))
+    check_positions(mesh.positions()); // which may have been moved since the mesh was made
   return lines;
 }
 

@@ -14,6 +14,7 @@
 #include "for_row.h"
 #include "index.h"
 #include "intrinsic_delaunay.h"
+#include "mesh_checks.h"
 #include "message.h"
 #include "parallel.h"
 #include "polygon_laplacian.h"
@@ -136,6 +137,7 @@ void choose(const Mesh& mesh, Stiffness& result) {
 Stiffness make_stiffness(const Mesh& whole, Laplacian laplacian) {
   Stiffness result;
   const Mesh& mesh = laplacian == Laplacian::graph ? whole : whole.without_repeats();
+  if (laplacian != Laplacian::graph) check_positions(mesh.positions()); // they may have been moved since it was made
   if (laplacian == Laplacian::graph) {
     make_graph(mesh, result);
   } else if (laplacian == Laplacian::automatic) {

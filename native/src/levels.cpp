@@ -12,6 +12,7 @@
 #include "dirichlet/error.h"
 #include "field_checks.h"
 #include "index.h"
+#include "mesh_checks.h"
 #include "message.h"
 #include "strips.h"
 
@@ -54,6 +55,7 @@ Window open_window(const Mesh& mesh, std::span<const double> field, Index count,
                    std::optional<double> high) {
   check_count(count);
   check_field(field, mesh.vertex_count());
+  check_positions(mesh.positions()); // which may have been moved since the mesh was made
   if (low && high) check_window(*low, *high);
   const Mesh& triangles = mesh.without_repeats().triangulated();
   double least = kInfinity, greatest = -kInfinity;
@@ -71,6 +73,13 @@ Window open_window(const Mesh& mesh, std::span<const double> field, Index count,
     throw InputError(message("the window from ", window.low, " to ", window.high, " holds none of the field's range ",
                              least, " to ", greatest));
   return window;
+}
+
+/// Refuses a window that has no quantity of what its levels share out.
+void check_share(const Window& window, const std::vector<double>& quantity) {
+  if (quantity.back() > 0) return;
+  throw InputError(message("the surface has no area from ", window.low, " to ", window.high,
+                           " of the field, which levels could share out"));
 }
 
 /// At least kSamples steps from low to high, none longer than an even one, and small where many vertices have their
@@ -170,6 +179,7 @@ std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> 
   const Window window = open_window(mesh, field, count, low, high);
   const std::vector<double> samples = sample(window),
                             areas = measure_strips(window.triangles, field, samples, cancel).area;
+  check_share(window, areas);
   std::vector<Bracket> brackets;
   for (const auto& [j, goal] : equal_steps(areas, count))
     brackets.push_back({samples[j - 1], samples[j], areas[j - 1], areas[j], goal});
@@ -214,6 +224,7 @@ std::vector<double> equal_distance_levels(const Mesh& mesh, std::span<const doub
     const double area = strips.area[j] - strips.area[j - 1], length = (strips.after[j - 1] + strips.before[j]) / 2;
     advance.push_back(advance.back() + (area > 0 && length > 0 ? area / length : 0));
   }
+  check_share(window, advance);
   std::vector<double> levels;
   for (const auto& [j, goal] : equal_steps(advance, count))
     levels.push_back(interpolate(samples[j - 1], samples[j], advance[j - 1], advance[j], goal));

@@ -93,6 +93,7 @@ def test_labels_reports_and_refusals_are_german(in_german):
 def library_sentences(surface):
     """What the library says of paint, values and levels, each as it is said in earnest."""
     mesh = surface.Mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0), (5, 0, 0), (6, 0, 0), (5, 1, 0)], [(0, 1, 2), (3, 4, 5)])
+    flat = surface.Mesh([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [(0, 1, 2)])
     field, undefined = np.arange(6.0), np.full(6, np.nan)
     both = [surface.Patch("a", [0, 1, 2], 0.0), surface.Patch("b", [0, 1], 0.1)]
     thrice = [both[0], surface.Patch("c", [0, 1, 2], 0.1)]
@@ -107,6 +108,7 @@ def library_sentences(surface):
         lambda: surface.combine_patches(empty, 6),
         lambda: surface.even_levels(2, 1, 5),
         lambda: surface.equal_area_levels(mesh, field, 3, 7, 8),
+        lambda: surface.equal_area_levels(flat, field[:3], 3),
         lambda: surface.even_levels(0, 1, 0),
         lambda: surface.even_levels(0, 1, 2_000_000),
         lambda: surface.stepped_levels(0, 1, 0.0),

@@ -184,6 +184,22 @@ TEST_F(MeshFile, stl_triangles_that_joining_shrinks_to_an_edge_are_dropped) {
             2U);
 }
 
+TEST_F(MeshFile, stl_triangles_as_small_as_the_least_float_are_dropped_like_points) {
+  const std::array<float, 9> good{0, 0, 0, 1, 0, 0, 0, 1, 0}, tiny{0, 0, 0, 1e-38F, 0, 0, 0, 1e-38F, 0};
+  EXPECT_EQ(read("a.stl", binary_stl("", {good, tiny})).offsets.size(), 2U);
+  EXPECT_REFUSED(read("a.stl", binary_stl("", {tiny})), InputError, "a.stl has no faces");
+}
+
+TEST_F(MeshFile, stl_is_not_written_of_triangles_that_its_precision_shrinks_to_points) {
+  const Indices offsets{0, 3}, corners{0, 1, 2};
+  for (const Doubles& positions :
+       {Doubles{0, 0, 0, 1e-100, 0, 0, 0, 1e-100, 0}, Doubles{1e9, 0, 0, 1e9 + 1, 0, 0, 1e9, 1, 0}}) {
+    write("a.stl", "precious");
+    EXPECT_REFUSED(write_mesh_file(folder_ / "a.stl", positions, offsets, corners), InputError, "single precision");
+    EXPECT_EQ(content(folder_ / "a.stl"), "precious");
+  }
+}
+
 TEST_F(MeshFile, stl_damage_is_refused_with_its_line_or_byte) {
   EXPECT_REFUSED(read("a.stl", "solid a\n" + kFacet), InputError, "a.stl, line 9", "the file ends");
   EXPECT_REFUSED(read("a.stl", "solid a\n" + kFacet.substr(0, 46)), InputError, "line 5", "the file ends");

@@ -209,6 +209,15 @@ def test_what_cannot_be_divided_is_refused(spread, field, window):
 
 
 @BOTH
+@pytest.mark.parametrize("window", [(None, None), (1, 3)])
+def test_a_surface_without_area_is_not_divided(spread, window):
+    soup = grid(2, 2)
+    soup.positions[:, 1] = 0
+    with pytest.raises(InputError, match="the surface has no area from "):
+        spread(soup.mesh(), np.arange(9.0), 3, *window)
+
+
+@BOTH
 @pytest.mark.parametrize("count", [0, -1, 2.5, 10**7])
 def test_a_number_of_levels_that_is_none_is_refused(spread, count):
     with pytest.raises(InputError, match="the number of levels"):

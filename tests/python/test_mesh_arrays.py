@@ -62,6 +62,23 @@ def test_a_mesh_moves_to_finite_positions_of_its_own_vertices_alone():
     assert "vertex 3 has the coordinate nan" in refusal(InputError, mesh.moved, beyond)
 
 
+@pytest.mark.parametrize("bad", [np.nan, np.inf, 1e300])
+def test_positions_that_were_spoiled_in_place_are_named_by_whatever_reads_them(bad):
+    soup = grid(4, 4, triangles=True)
+    mesh, field = soup.mesh(), np.arange(25.0)
+    surface.isolines(mesh, field, [11.5])
+    soup.positions[12, 1] = bad
+    for read in (
+        lambda: surface.isolines(mesh, field, [11.5]),
+        lambda: surface.stiffness_matrix(mesh, "cotangent"),
+        lambda: surface.lumped_mass(mesh, "polygon"),
+        lambda: surface.equal_area_levels(mesh, field, 3),
+        lambda: surface.equal_distance_levels(mesh, field, 3),
+        lambda: solve(mesh, [0, 24], [0.0, 1.0], laplacian="auto"),
+    ):
+        assert f"vertex 12 has the coordinate {bad}" in refusal(InputError, read)
+
+
 def test_faces_of_any_layout_make_the_same_mesh():
     for faces in (np.asfortranarray(FACES), np.repeat(FACES, 2, axis=0)[::2], FACES.tolist(), FACES[:, ::-1][:, ::-1]):
         assert_array_equal(Mesh(SPHERE.positions, faces).corners, FACES.ravel())

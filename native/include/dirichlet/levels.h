@@ -30,7 +30,7 @@ std::vector<double> stepped_levels(double low, double high, double step, double 
 /// \returns ascending; the areas are equal to 1e-9 of their sum, where there are enough doubles. A level in a gap that
 ///          no value of the surface fills may lie anywhere in it.
 /// \throws InputError     as even_levels; a field of a wrong length or with an infinite value; a field that is constant
-///                        or has no values; a window that holds none of the surface
+///                        or has no values; a window that holds none of the surface, or only what has no area
 /// \throws TopologyError  a polygon that has no triangulation
 /// Cost: O(V + T) about five times, plus that of 2000 isolines. Same result whatever the thread count.
 std::vector<double> equal_area_levels(const Mesh& mesh, std::span<const double> field, Index count,

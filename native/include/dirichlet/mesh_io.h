@@ -29,9 +29,9 @@ MeshArrays read_mesh_file(const std::filesystem::path& path);
 /// Writes OBJ, PLY, OFF or STL, by the ending. All but STL (binary, in float and triangles) read back bit for bit what
 /// a Mesh has; PLY is binary and carries `colors` when given. \param colors  (V, 3) in 0 … 255, or empty. Written
 /// beside the target, then renamed: an error leaves what was there. \throws InputError  unwritable, unknown ending,
-/// colours for a format that has none, positions, offsets and corners that are out of range as for Mesh, and faces of
-/// fewer than three corners; one that names a vertex twice is written. \throws TopologyError  STL of a polygon without
-/// a triangulation.
+/// colours for a format that has none, positions, offsets and corners that are out of range as for Mesh, faces of
+/// fewer than three corners (one that names a vertex twice is written), and STL of whose triangles single precision
+/// leaves none. \throws TopologyError  STL of a polygon without a triangulation.
 void write_mesh_file(const std::filesystem::path& path, std::span<const double> positions,
                      std::span<const Index> offsets, std::span<const Index> corners,
                      std::span<const unsigned char> colors = {});

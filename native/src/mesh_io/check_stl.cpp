@@ -3,6 +3,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "mesh_io/byte_order.h"
 #include "mesh_io/checked_file.h"
@@ -16,9 +17,16 @@ using Triangle = std::array<Corner, 3>;
 constexpr std::size_t kHeader = 84;   ///< 80 bytes of anything, then the number of triangles
 constexpr std::size_t kTriangle = 50; ///< normal, three corners, two bytes
 
+/// Whether OpenMesh joins them.
+bool equal(const Corner& a, const Corner& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::abs(a[axis] - b[axis]) > std::numeric_limits<float>::min()) return false;
+  return true;
+}
+
 /// Once equal corners are joined, OpenMesh drops the triangles that have become an edge or a point.
 void count(const Triangle& t, CheckedFile& checked) {
-  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
+  if (equal(t[0], t[1]) || equal(t[1], t[2]) || equal(t[2], t[0])) return;
   ++checked.faces;
   checked.corners += 3;
 }

@@ -115,14 +115,17 @@ std::string encode_stl(const MeshView& mesh) {
   const std::vector<Index> triangles = triangulate(mesh.positions, mesh.offsets, mesh.corners);
   std::string out(80, ' '); // must not begin with "solid", the mark of a text
   store(out, static_cast<std::uint32_t>(triangles.size() / 3));
+  bool any = triangles.empty();
   for (std::size_t t = 0; t < triangles.size(); t += 3) {
     const std::array<Point, 3> points{single_precision(mesh, triangles[t]), single_precision(mesh, triangles[t + 1]),
                                       single_precision(mesh, triangles[t + 2])};
+    any = any || (points[0] != points[1] && points[1] != points[2] && points[2] != points[0]);
     for (const double x : normal(points)) store(out, static_cast<float>(x));
     for (const Point& point : points)
       for (const float x : point) store(out, x);
     store(out, std::uint16_t{0});
   }
+  if (!any) throw InputError("in the single precision of STL no triangle has three different corners");
   return out;
 }
 
